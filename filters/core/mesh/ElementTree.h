@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/mesh/Facets.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// \file ElementTree.h
+/// One tree over everything that exchanges light: clusters above, patches, elements below.
+
+namespace vantage
+{
+
+using NodeId = std::uint32_t;
+using PatchId = std::uint32_t;
+inline constexpr std::uint32_t None = 0xffffffffu;
+
+enum class Side : std::uint8_t
+{
+  Front = 0,
+  Back = 1
+};
+
+/// One side of one facet. Patch 2 f is the front of facet f, patch 2 f + 1 its back.
+struct Patch
+{
+  NodeId node = None; ///< where it hangs in the tree
+  Vec3 normal;        ///< unit, away from the surface on this side
+  std::uint32_t facet = None;
+  Side side = Side::Front;
+
+  /// False for the back of a one-sided material and, in a front-only tree, for every back: such a
+  /// patch has no node.
+  bool IsActive() const { return this->node != None; }
+};
+
+inline PatchId PatchOf(std::uint32_t facet, Side side)
+{
+  return 2 * facet + static_cast<std::uint32_t>(side);
+}
+
+/// A cluster (patch = None), a patch (level 0) or an element of a patch (level > 0).
+struct Node
+{
+  std::array<Vec3, 4> corners; ///< of a patch or element, counter-clockwise from its side
+  Vec3 centre{ 0.0 };          ///< centroid; of a cluster: centre of its bounding box
+  double radius = 0.0;         ///< all of the node lies within this distance of the centre
+  double area = 0.0;           ///< of a cluster: the sum over its patches
+  NodeId parent = None;
+  NodeId firstChild = None;    ///< children have consecutive ids
+  PatchId patch = None;
+  std::uint8_t childCount = 0; ///< 0 (leaf), 2 (cluster) or 4 (patch, element)
+  std::uint8_t cornerCount = 0; ///< 3 or 4; 0 for a cluster
+  std::uint8_t level = 0;      ///< subdivisions below the patch
+
+  bool IsLeaf() const { return this->childCount == 0; }
+  bool IsCluster() const { return this->patch == None; }
+};
+
+/// A parent always has a smaller id than its children, so that sums up and down the tree are two
+/// linear loops. Nodes are never removed and never change: elements are only ever added.
+class ElementTree
+{
+public:
+  enum class Sides
+  {
+    Both,
+    FrontOnly
+  };
+
+  /// Clusters (binary, split by centroid and by normal, so that the two sides of a wall part
+  /// early) and patches. O(n log n). `materials` tells which facets are one-sided.
+  ElementTree(const FacetSet& facets, const std::vector<Material>& materials,
+    Sides sides = Sides::Both);
+
+  NodeId Root() const { return 0; }
+  NodeId Size() const { return static_cast<NodeId>(this->Nodes.size()); }
+  const Node& operator[](NodeId id) const { return this->Nodes[id]; }
+  const std::vector<Patch>& Patches() const { return this->AllPatches; }
+  const Patch& PatchOfNode(NodeId id) const { return this->AllPatches[this->Nodes[id].patch]; }
+  std::size_t LeafElementCount() const { return this->LeafElements; }
+
+  /// The shape of a patch or an element. \pre not a cluster
+  Polygon Shape(NodeId id) const;
+
+  /// Makes the four children of a patch or element, if it has none yet: a quadrilateral gives four
+  /// quadrilaterals around its centre (child i keeps corner i), a triangle three at its corners
+  /// (child i keeps corner i) and one in the middle. Returns the first child's id.
+  /// References to nodes are invalid afterwards. \pre not a cluster
+  NodeId Split(NodeId id);
+
+  /// The child of a split patch or element that holds the point (nearest for points outside).
+  NodeId ChildContaining(NodeId id, const Vec3& point) const;
+
+  /// The leaf below a patch or element that holds the point.
+  NodeId LeafContaining(NodeId id, const Vec3& point) const;
+
+private:
+  std::vector<Node> Nodes;
+  std::vector<Patch> AllPatches;
+  std::size_t LeafElements = 0;
+};
+
+} // namespace vantage

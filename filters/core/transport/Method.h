@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// \file Method.h
+/// The orders in which interactions can be visited.
+
+namespace vantage
+{
+
+/// Algorithms of Bekaert and Willems (1995), and the gathering baseline on the same interactions.
+enum class Method
+{
+  BasicShooting,       ///< Algorithm 1: every interaction in turn
+  ProgressiveShooting, ///< Algorithm 2: largest unshot dL A F first (Cohen et al. 1988)
+  ImportanceShooting,  ///< Algorithms 3 and 4: importance and radiance in turn, largest dL A F I
+  GaussSeidel          ///< gathering, patch by patch (Goral et al. 1984)
+};
+
+/// What one step shoots.
+enum class Granularity
+{
+  Interaction, ///< one interaction
+  Patch        ///< all interactions of one patch
+};
+
+/// "basic-shooting", "progressive-shooting", "importance-shooting", "gauss-seidel".
+const std::vector<std::string>& MethodNames();
+std::string NameOf(Method method);
+/// \throw UnknownNameError
+Method MethodFromName(const std::string& name);
+
+/// "interaction", "patch".
+std::string NameOf(Granularity granularity);
+/// \throw UnknownNameError
+Granularity GranularityFromName(const std::string& name);
+
+} // namespace vantage

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+/// \file Refinement.h
+/// When two elements are too coarse for one interaction (Hanrahan, Salzman, Aupperle 1991).
+
+namespace vantage
+{
+
+enum class RefinementOracle
+{
+  F, ///< form factor alone: the interactions depend on geometry only
+  BF ///< form factor weighted by the power that is about to be carried
+};
+
+/// All tolerances are relative, so that a scene in millimetres and one in kilometres refine alike.
+struct RefinementSettings
+{
+  RefinementOracle oracle = RefinementOracle::BF;
+  /// Largest classical form factor from the smaller to the larger end an interaction may have
+  /// without being refined, (0, 1]. The error of a constant kernel falls with it.
+  double formFactorTolerance = 0.1;
+  /// BF: an interaction that is about to carry less than this part of the power of the strongest
+  /// emitter is not refined, >= 0.
+  double powerTolerance = 1e-3;
+  /// BF: the same for direct light that is partly visible, at shadow boundaries, >= 0.
+  double shadowTolerance = 1e-4;
+  /// Elements are not split below this edge length, relative to the square root of the mean facet
+  /// area, > 0.
+  double minimumElementSize = 0.05;
+  int maximumLevel = 10; ///< splits below a patch, 0 .. 20; 0: one element a patch
+
+  /// \throw InputError naming the first value out of range.
+  void Validate() const;
+};
+
+/// "F", "BF".
+std::string NameOf(RefinementOracle oracle);
+/// \throw UnknownNameError
+RefinementOracle RefinementOracleFromName(const std::string& name);
+
+} // namespace vantage
