@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/Error.h"
+#include "core/Solution.h"
 #include "core/formfactor/FormFactor.h"
 #include "core/math/Image.h"
-#include "core/mesh/PatchMesh.h"
 #include "core/scene/Scene.h"
 #include "core/transport/Method.h"
 #include "core/transport/Refinement.h"
@@ -29,11 +29,11 @@ struct SolverSettings
   Granularity granularity = Granularity::Patch;
   RefinementSettings refinement;
   Accuracy accuracy = Accuracy::Default;
-  std::uint32_t visibilityRays = 16;  ///< a pair that is partly visible, 1 .. 4096
-  std::uint32_t viewRays = 65536;     ///< cast through the image for the view importance, >= 1
-  bool initialPhase = true;           ///< methods without importance: direct light of all emitters
-                                      ///< first, subdivided at shadow boundaries
-  std::uint64_t seed = 1;             ///< of the rays of the view importance
+  std::uint32_t visibilityRays = 16; ///< a pair that is partly visible, 1 .. 4096
+  std::uint32_t viewRays = 65536;    ///< cast through the image for the view importance, >= 1
+  bool initialPhase = true;          ///< methods without importance: direct light of all emitters
+                                     ///< first, subdivided at shadow boundaries
+  std::uint64_t seed = 1;            ///< of the rays of the view importance
 
   /// \throw InputError naming the first value out of range.
   void Validate() const;
@@ -65,36 +65,6 @@ struct StepReport
   std::uint64_t evaluations = 0; ///< pairs whose throughput and visibility were computed so far
   std::uint64_t rays = 0;        ///< so far, shadow and view
   double seconds = 0.0;          ///< spent in Run() so far
-};
-
-/// The leaf elements and what is known of each. All vectors have one entry a polygon of `surface`.
-struct ElementSolution
-{
-  ElementSurface surface;
-  std::vector<Color> radiance;         ///< W m^-2 sr^-1
-  std::vector<Color> unshotRadiance;   ///< W m^-2 sr^-1, mean over the interactions by throughput
-  std::vector<Color> importance;       ///< P, sr m^-2
-  std::vector<Color> unshotImportance; ///< of Y = rho P, sr m^-2
-  std::vector<double> viewImportance;  ///< V, sr m^-2
-  std::vector<Color> albedo;
-  std::vector<Color> emission;         ///< W m^-2 sr^-1
-  std::vector<PatchId> patch;
-  std::vector<std::uint32_t> scenePolygon;
-  std::vector<Side> side;
-  std::vector<int> level;
-};
-
-/// One interaction as others see it.
-struct InteractionRecord
-{
-  Vec3 shooterCentre, receiverCentre;
-  PatchId shooter, receiver;       ///< patches of the two ends
-  int shooterLevel, receiverLevel; ///< 0: the patch itself
-  double formFactor;               ///< F shooter -> receiver, sr, visibility included
-  double visibility;               ///< visible fraction
-  double shotFlux;                 ///< pi-free power carried, both directions: sum G carried, W
-  double contribution;             ///< of what was carried, to the view flux: sum G carried Y
-  std::uint64_t step;              ///< in which it was made
 };
 
 /// What Run() ended for.
@@ -131,8 +101,9 @@ public:
   /// Works until the budget is spent, the solution has converged, or the observer cancels;
   /// a further call continues where this one stopped.
   /// Converged means: relativeUnshot <= max(budget.error, 1e-13), where relativeUnshot is, for
-  /// methods driven by importance, a bound on the part of the view flux that is unshot, and for the
-  /// others the unshot part of the power.
+  /// methods driven by importance, an estimate of the part of the view flux that is not in the
+  /// radiance yet, and for the others the unshot power relative to the emitted power. It says how
+  /// far the interactions are solved, not how fine they are.
   /// \throw InputError when the method needs a camera and none is set; DivergenceError when the
   /// albedo is 1 in a closed scene.
   RunEnd Run(const Budget& budget = {}, const Observer& observer = {});

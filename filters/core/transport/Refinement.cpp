@@ -1,0 +1,116 @@
+#include "core/transport/Refinement.h"
+
+#include "core/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage
+{
+
+namespace
+{
+
+void RequireRange(const std::string& name, double value, bool isInside, const std::string& range)
+{
+  if (!isInside)
+  {
+    throw InputError("refinement: " + name + " is " + std::to_string(value) + "; give " + range);
+  }
+}
+
+double LongestEdge(const Node& node)
+{
+  double longest = 0.0;
+  for (int i = 0; i < node.cornerCount; ++i)
+  {
+    longest =
+      std::max(longest, glm::length(node.corners[(i + 1) % node.cornerCount] - node.corners[i]));
+  }
+  return longest;
+}
+
+} // namespace
+
+void RefinementSettings::Validate() const
+{
+  RequireRange("formFactorTolerance", this->formFactorTolerance,
+    this->formFactorTolerance > 0.0 && this->formFactorTolerance <= 1.0, "a number in (0, 1]");
+  RequireRange("powerTolerance", this->powerTolerance,
+    this->powerTolerance >= 0.0 && std::isfinite(this->powerTolerance), "a number >= 0");
+  RequireRange("shadowTolerance", this->shadowTolerance,
+    this->shadowTolerance >= 0.0 && std::isfinite(this->shadowTolerance), "a number >= 0");
+  RequireRange("minimumElementSize", this->minimumElementSize,
+    this->minimumElementSize > 0.0 && std::isfinite(this->minimumElementSize), "a number > 0");
+  RequireRange("maximumLevel", this->maximumLevel,
+    this->maximumLevel >= 0 && this->maximumLevel <= 20, "an integer from 0 to 20");
+}
+
+std::string NameOf(RefinementOracle oracle)
+{
+  return oracle == RefinementOracle::F ? "F" : "BF";
+}
+
+RefinementOracle RefinementOracleFromName(const std::string& name)
+{
+  if (name == "F")
+  {
+    return RefinementOracle::F;
+  }
+  if (name == "BF")
+  {
+    return RefinementOracle::BF;
+  }
+  throw UnknownNameError("refinement oracle", name, "F, BF");
+}
+
+Refiner::Refiner(const RefinementSettings& settings, double meanFacetArea)
+  : Settings(settings)
+  , MinimumLength(settings.minimumElementSize * std::sqrt(meanFacetArea))
+{
+}
+
+std::optional<int> Refiner::EndToSplit(const ElementTree& tree, const RefinementQuery& query) const
+{
+  if (!this->IsTooCoarse(tree, query))
+  {
+    return std::nullopt;
+  }
+  const Node& first = tree[query.first];
+  const Node& second = tree[query.second];
+  const int larger = second.area > first.area ? 1 : 0;
+  if (this->MaySplit(larger == 0 ? first : second))
+  {
+    return larger;
+  }
+  if (this->MaySplit(larger == 0 ? second : first))
+  {
+    return 1 - larger;
+  }
+  return std::nullopt;
+}
+
+bool Refiner::IsTooCoarse(const ElementTree& tree, const RefinementQuery& query) const
+{
+  const double smallerArea = std::min(tree[query.first].area, tree[query.second].area);
+  // Of the whole larger end, seen or not: the kernel varies over it all the same.
+  const double formFactor = query.throughput / (query.visibility * Pi * smallerArea);
+  const bool isLarge = formFactor > this->Settings.formFactorTolerance;
+  if (this->Settings.oracle == RefinementOracle::F)
+  {
+    return isLarge;
+  }
+  const bool isPartlyVisible = query.visibility < 1.0;
+  const double tolerance = isPartlyVisible && query.isDirect ? this->Settings.shadowTolerance
+                                                             : this->Settings.powerTolerance;
+  return query.relativePower > tolerance && (isLarge || isPartlyVisible);
+}
+
+bool Refiner::MaySplit(const Node& node) const
+{
+  // A node that has children costs nothing to split again.
+  return !node.IsLeaf() || (node.level < this->Settings.maximumLevel &&
+                             0.5 * LongestEdge(node) >= this->MinimumLength);
+}
+
+} // namespace vantage

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/mesh/ElementTree.h"
+
+#include <optional>
 #include <string>
 
 /// \file Refinement.h
@@ -11,18 +14,18 @@ namespace vantage
 enum class RefinementOracle
 {
   F, ///< form factor alone: the interactions depend on geometry only
-  BF ///< form factor weighted by the power that is about to be carried
+  BF ///< form factor weighted by the power that is carried
 };
 
 /// All tolerances are relative, so that a scene in millimetres and one in kilometres refine alike.
 struct RefinementSettings
 {
   RefinementOracle oracle = RefinementOracle::BF;
-  /// Largest classical form factor from the smaller to the larger end an interaction may have
+  /// Largest classical form factor from the smaller to the larger end that an interaction may have
   /// without being refined, (0, 1]. The error of a constant kernel falls with it.
   double formFactorTolerance = 0.1;
-  /// BF: an interaction that is about to carry less than this part of the power of the strongest
-  /// emitter is not refined, >= 0.
+  /// BF: an interaction that carries less than this part of the power of the strongest emitter is
+  /// not refined, >= 0.
   double powerTolerance = 1e-3;
   /// BF: the same for direct light that is partly visible, at shadow boundaries, >= 0.
   double shadowTolerance = 1e-4;
@@ -39,5 +42,38 @@ struct RefinementSettings
 std::string NameOf(RefinementOracle oracle);
 /// \throw UnknownNameError
 RefinementOracle RefinementOracleFromName(const std::string& name);
+
+/// What the oracle is told of an interaction that is about to carry radiance.
+struct RefinementQuery
+{
+  NodeId first;
+  NodeId second;
+  double throughput;    ///< m^2 sr, visibility included
+  double visibility;    ///< (0, 1]
+  double relativePower; ///< what it carries / power of the strongest emitter
+  bool isDirect;        ///< the shooter is an emitter
+};
+
+/// Decides whether an interaction is refined, and which end is split for it.
+class Refiner
+{
+public:
+  /// `meanFacetArea` is what RefinementSettings::minimumElementSize refers to.
+  Refiner(const RefinementSettings& settings, double meanFacetArea);
+
+  /// The end (0 or 1) to split: the larger one, or the other when that may not be split any
+  /// more; nothing when the interaction is fine enough or neither may be split.
+  std::optional<int> EndToSplit(const ElementTree& tree, const RefinementQuery& query) const;
+
+  /// Whether what is carried does not matter.
+  bool DependsOnGeometryOnly() const { return this->Settings.oracle == RefinementOracle::F; }
+
+private:
+  bool IsTooCoarse(const ElementTree& tree, const RefinementQuery& query) const;
+  bool MaySplit(const Node& node) const;
+
+  RefinementSettings Settings;
+  double MinimumLength;
+};
 
 } // namespace vantage

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/math/Types.h"
+#include "core/mesh/PatchMesh.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file Solution.h
+/// What a solver has found, as plain data: the elements and the interactions.
+
+namespace vantage
+{
+
+class Transport;
+
+/// The leaf elements and what is known of each. All vectors have one entry a polygon of `surface`.
+struct ElementSolution
+{
+  ElementSurface surface;
+  std::vector<Color> radiance;         ///< W m^-2 sr^-1
+  std::vector<Color> unshotRadiance;   ///< W m^-2 sr^-1, mean over the interactions by throughput
+  std::vector<Color> importance;       ///< P, sr m^-2
+  std::vector<Color> unshotImportance; ///< of Y = rho P, sr m^-2
+  std::vector<double> viewImportance;  ///< V, sr m^-2
+  std::vector<Color> albedo;
+  std::vector<Color> emission; ///< W m^-2 sr^-1
+  std::vector<PatchId> patch;
+  std::vector<std::uint32_t> scenePolygon;
+  std::vector<Side> side;
+  std::vector<int> level;
+};
+
+/// One interaction as others see it.
+struct InteractionRecord
+{
+  Vec3 shooterCentre, receiverCentre;
+  PatchId shooter, receiver;       ///< patches of the two ends
+  int shooterLevel, receiverLevel; ///< 0: the patch itself
+  double formFactor;               ///< F shooter -> receiver, sr, visibility included
+  double visibility;               ///< visible fraction
+  double shotFlux;                 ///< power carried so far, both directions, W, mean of channels
+  double contribution;             ///< of what was carried, to the view flux (same unit as Phi)
+  std::uint64_t step;              ///< in which it was made
+};
+
+/// All leaf elements. O(nodes + interactions).
+ElementSolution ExtractElements(const Transport& transport, const FacetSet& facets);
+
+/// All active interactions in the order they were made. O(interactions).
+std::vector<InteractionRecord> ExtractInteractions(const Transport& transport);
+
+} // namespace vantage

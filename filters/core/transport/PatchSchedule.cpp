@@ -1,0 +1,250 @@
+#include "core/transport/PatchSchedule.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// Area of a patch; 0 for one that takes no part.
+double PatchArea(const Transport& transport, PatchId patch)
+{
+  const Patch& p = transport.Tree().Patches()[patch];
+  return p.IsActive() ? transport.Tree()[p.node].area : 0.0;
+}
+
+PatchId PatchCount(const Transport& transport)
+{
+  return static_cast<PatchId>(transport.Tree().Patches().size());
+}
+
+double Power(double area, const Color& radiance)
+{
+  return Pi * area * Mean(radiance);
+}
+
+} // namespace
+
+PatchSchedule::PatchSchedule(Method method, const Transport& transport)
+  : TheMethod(method)
+  , Shots(transport.Tree().Patches().size())
+{
+}
+
+std::optional<Step> PatchSchedule::Next(Transport& transport, std::uint32_t)
+{
+  Step step;
+  if (this->TheMethod == Method::BasicShooting)
+  {
+    step.patch = this->NextInTurn(transport);
+  }
+  else
+  {
+    step.patch = None;
+    if (this->TheMethod == Method::ImportanceShooting && this->LastShot == Quantity::Radiance)
+    {
+      step.quantity = Quantity::Importance;
+      step.patch = this->HighestRanked(transport, Quantity::Importance);
+    }
+    if (step.patch == None)
+    {
+      step.quantity = Quantity::Radiance;
+      step.patch = this->HighestRanked(transport, Quantity::Radiance);
+    }
+    if (step.patch == None && this->TheMethod == Method::ImportanceShooting)
+    {
+      step.quantity = Quantity::Importance;
+      step.patch = this->HighestRanked(transport, Quantity::Importance);
+    }
+  }
+  return step.patch == None ? std::nullopt : std::optional<Step>(step);
+}
+
+void PatchSchedule::Perform(Transport& transport, const Step& step, std::uint32_t stepNumber)
+{
+  transport.Expand(step.patch, stepNumber);
+  const NodeId node = transport.Tree().Patches()[step.patch].node;
+  if (step.quantity == Quantity::Radiance)
+  {
+    transport.RefineInteractionsOf(step.patch, Transport::Flow::Leaving, stepNumber);
+    this->Shots[step.patch].radiance = transport.Radiance(node);
+  }
+  else
+  {
+    this->Shots[step.patch].importance = transport.Importance(node);
+  }
+  ShootPatch(transport, step.patch, step.quantity);
+  this->LastShot = step.quantity;
+}
+
+Residual PatchSchedule::Rest(const Transport& transport) const
+{
+  ViewResidual rest;
+  const bool usesImportance = this->TheMethod == Method::ImportanceShooting;
+  for (PatchId p = 0; p < PatchCount(transport); ++p)
+  {
+    const double area = PatchArea(transport, p);
+    if (area > 0.0)
+    {
+      rest.unshotPower += Power(area, this->UnshotRadiance(transport, p));
+      if (usesImportance)
+      {
+        rest.knownUnshot += this->RadianceRank(transport, p);
+        rest.unshotImportance += this->ImportanceRank(transport, p);
+      }
+    }
+  }
+  return { rest.unshotPower, usesImportance ? RelativeUnshotFlux(transport, rest)
+                                            : RelativeUnshotPower(transport, rest.unshotPower) };
+}
+
+void PatchSchedule::RestartRadiance(const Transport&)
+{
+  for (Shot& shot : this->Shots)
+  {
+    shot = Shot();
+  }
+  this->Cursor = 0;
+}
+
+void PatchSchedule::RestartImportance()
+{
+  for (Shot& shot : this->Shots)
+  {
+    shot.importance = Color(0.0);
+  }
+  this->LastShot = Quantity::Radiance;
+}
+
+Color PatchSchedule::UnshotRadiance(const Transport& transport, PatchId patch) const
+{
+  const NodeId node = transport.Tree().Patches()[patch].node;
+  return UnshotPart(transport.Radiance(node), this->Shots[patch].radiance);
+}
+
+Color PatchSchedule::UnshotImportance(const Transport& transport, PatchId patch) const
+{
+  const NodeId node = transport.Tree().Patches()[patch].node;
+  return transport.OpticsOf(patch).albedo / Pi *
+         UnshotPart(transport.Importance(node), this->Shots[patch].importance);
+}
+
+double PatchSchedule::RadianceRank(const Transport& transport, PatchId patch) const
+{
+  const double area = PatchArea(transport, patch);
+  const Color unshot = this->UnshotRadiance(transport, patch);
+  if (this->TheMethod != Method::ImportanceShooting)
+  {
+    return Power(area, unshot);
+  }
+  const NodeId node = transport.Tree().Patches()[patch].node;
+  return area * Mean(unshot * transport.ReceivedImportance(node));
+}
+
+double PatchSchedule::ImportanceRank(const Transport& transport, PatchId patch) const
+{
+  return Power(PatchArea(transport, patch), this->UnshotImportance(transport, patch));
+}
+
+PatchId PatchSchedule::NextInTurn(const Transport& transport)
+{
+  const PatchId count = PatchCount(transport);
+  for (PatchId tried = 0; tried < count; ++tried)
+  {
+    const PatchId patch = this->Cursor;
+    this->Cursor = (this->Cursor + 1) % count;
+    if (PatchArea(transport, patch) > 0.0 && this->RadianceRank(transport, patch) > 0.0)
+    {
+      return patch;
+    }
+  }
+  return None;
+}
+
+PatchId PatchSchedule::HighestRanked(const Transport& transport, Quantity quantity) const
+{
+  PatchId best = None;
+  double bestRank = 0.0;
+  for (PatchId p = 0; p < PatchCount(transport); ++p)
+  {
+    if (PatchArea(transport, p) > 0.0)
+    {
+      const double rank = quantity == Quantity::Radiance ? this->RadianceRank(transport, p)
+                                                         : this->ImportanceRank(transport, p);
+      if (rank > bestRank)
+      {
+        bestRank = rank;
+        best = p;
+      }
+    }
+  }
+  return best;
+}
+
+GatheringSchedule::GatheringSchedule(const Transport& transport)
+{
+  this->RestartRadiance(transport);
+}
+
+std::optional<Step> GatheringSchedule::Next(Transport& transport, std::uint32_t)
+{
+  if (transport.EmittedPower() == 0.0)
+  {
+    return std::nullopt;
+  }
+  Step step;
+  step.kind = Step::Kind::Gather;
+  while (PatchArea(transport, this->Cursor) == 0.0)
+  {
+    this->Cursor = (this->Cursor + 1) % PatchCount(transport);
+  }
+  step.patch = this->Cursor;
+  return step;
+}
+
+void GatheringSchedule::Perform(Transport& transport, const Step& step, std::uint32_t stepNumber)
+{
+  transport.Expand(step.patch, stepNumber);
+  if (step.kind == Step::Kind::Shoot)
+  {
+    transport.RefineInteractionsOf(step.patch, Transport::Flow::Leaving, stepNumber);
+    ShootPatch(transport, step.patch, Quantity::Radiance);
+    return;
+  }
+  transport.RefineInteractionsOf(step.patch, Transport::Flow::Arriving, stepNumber);
+  const NodeId node = transport.Tree().Patches()[step.patch].node;
+  const Color before = transport.Radiance(node);
+  for (const InteractionId id : transport.Graph().Of(step.patch))
+  {
+    transport.ShootRadiance(id, Other(EndOn(transport.Tree(), transport.Graph()[id], step.patch)));
+  }
+  this->LastChange[step.patch] =
+    Power(PatchArea(transport, step.patch), transport.Radiance(node) - before);
+  this->Cursor = (step.patch + 1) % PatchCount(transport);
+}
+
+Residual GatheringSchedule::Rest(const Transport& transport) const
+{
+  Residual rest;
+  rest.unshotPower = std::accumulate(this->LastChange.begin(), this->LastChange.end(), 0.0);
+  rest.relativeUnshot = RelativeUnshotPower(transport, rest.unshotPower);
+  return rest;
+}
+
+void GatheringSchedule::RestartRadiance(const Transport& transport)
+{
+  this->LastChange.assign(PatchCount(transport), 0.0);
+  for (PatchId p = 0; p < PatchCount(transport); ++p)
+  {
+    if (PatchArea(transport, p) > 0.0)
+    {
+      this->LastChange[p] = transport.EmittedPower();
+    }
+  }
+  this->Cursor = 0;
+}
+
+} // namespace vantage
