@@ -27,11 +27,12 @@ double Ratio(double x, double total)
 ImageDifference Compare(const Image& image, const Image& reference)
 {
   if (image.width != reference.width || image.height != reference.height ||
-    reference.pixels.empty())
+      reference.pixels.empty())
   {
     throw InputError("images: sizes " + std::to_string(image.width) + "x" +
-      std::to_string(image.height) + " and " + std::to_string(reference.width) + "x" +
-      std::to_string(reference.height) + " cannot be compared; give two of the same size");
+                     std::to_string(image.height) + " and " + std::to_string(reference.width) +
+                     "x" + std::to_string(reference.height) +
+                     " cannot be compared; give two of the same size");
   }
   double absolute = 0.0;
   double square = 0.0;

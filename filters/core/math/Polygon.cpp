@@ -118,4 +118,16 @@ Vec3 PointAt(const Polygon& p, const Vec2& uv)
   return bottom + uv.y * (top - bottom);
 }
 
+double AreaElementAt(const Polygon& p, const Vec2& uv)
+{
+  assert(p.Size() == 3 || p.Size() == 4);
+  if (p.Size() == 3)
+  {
+    return Area(p);
+  }
+  const Vec3 alongU = (1.0 - uv.y) * (p[1] - p[0]) + uv.y * (p[2] - p[3]);
+  const Vec3 alongV = (1.0 - uv.x) * (p[3] - p[0]) + uv.x * (p[2] - p[1]);
+  return glm::length(glm::cross(alongU, alongV));
+}
+
 } // namespace vantage

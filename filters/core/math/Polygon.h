@@ -88,4 +88,8 @@ Polygon Reversed(const Polygon& p);
 /// and Chiu (1997) on a triangle. \pre p.Size() is 3 or 4.
 Vec3 PointAt(const Polygon& p, const Vec2& uv);
 
+/// The area that a unit of (u, v) covers at PointAt(p, uv): |dx/du x dx/dv|. Area(p) everywhere on
+/// a triangle or a parallelogram. \pre p.Size() is 3 or 4.
+double AreaElementAt(const Polygon& p, const Vec2& uv);
+
 } // namespace vantage

@@ -14,24 +14,17 @@ namespace vantage
 
 using NodeId = std::uint32_t;
 using PatchId = std::uint32_t;
-inline constexpr std::uint32_t None = 0xffffffffu;
-
-enum class Side : std::uint8_t
-{
-  Front = 0,
-  Back = 1
-};
 
 /// One side of one facet. Patch 2 f is the front of facet f, patch 2 f + 1 its back.
 struct Patch
 {
   NodeId node = None; ///< where it hangs in the tree
-  Vec3 normal;        ///< unit, away from the surface on this side
+  Vec3 normal{ 0.0 }; ///< unit, away from the surface on this side
   std::uint32_t facet = None;
   Side side = Side::Front;
 
-  /// False for the back of a one-sided material and, in a front-only tree, for every back: such a
-  /// patch has no node.
+  /// False for the back of a one-sided material and, in a front-only tree, for every side that is
+  /// not the front of a scene polygon: such a patch has no node.
   bool IsActive() const { return this->node != None; }
 };
 
@@ -43,16 +36,16 @@ inline PatchId PatchOf(std::uint32_t facet, Side side)
 /// A cluster (patch = None), a patch (level 0) or an element of a patch (level > 0).
 struct Node
 {
-  std::array<Vec3, 4> corners; ///< of a patch or element, counter-clockwise from its side
-  Vec3 centre{ 0.0 };          ///< centroid; of a cluster: centre of its bounding box
-  double radius = 0.0;         ///< all of the node lies within this distance of the centre
-  double area = 0.0;           ///< of a cluster: the sum over its patches
+  std::array<Vec3, 4> corners{}; ///< of a patch or element, counter-clockwise from its side
+  Vec3 centre{ 0.0 };            ///< centroid; of a cluster: centre of its bounding box
+  double radius = 0.0;           ///< all of the node lies within this distance of the centre
+  double area = 0.0;             ///< of a cluster: the sum over its patches
   NodeId parent = None;
-  NodeId firstChild = None;    ///< children have consecutive ids
+  NodeId firstChild = None; ///< children have consecutive ids
   PatchId patch = None;
-  std::uint8_t childCount = 0; ///< 0 (leaf), 2 (cluster) or 4 (patch, element)
+  std::uint8_t childCount = 0;  ///< 0 (leaf), 2 (cluster) or 4 (patch, element)
   std::uint8_t cornerCount = 0; ///< 3 or 4; 0 for a cluster
-  std::uint8_t level = 0;      ///< subdivisions below the patch
+  std::uint8_t level = 0;       ///< subdivisions below the patch
 
   bool IsLeaf() const { return this->childCount == 0; }
   bool IsCluster() const { return this->patch == None; }
@@ -69,10 +62,12 @@ public:
     FrontOnly
   };
 
-  /// Clusters (binary, split by centroid and by normal, so that the two sides of a wall part
-  /// early) and patches. O(n log n). `materials` tells which facets are one-sided.
-  ElementTree(const FacetSet& facets, const std::vector<Material>& materials,
-    Sides sides = Sides::Both);
+  /// Binary clusters over the active patches; a single patch is the root itself. They are split by
+  /// centroid and by normal: a patch is sorted by a point of the air in front of it, so that the
+  /// two sides of a wall part early and the walls of a room stay together. O(n log n). `materials`
+  /// tells which facets are one-sided. \pre there is a facet
+  ElementTree(
+    const FacetSet& facets, const std::vector<Material>& materials, Sides sides = Sides::Both);
 
   NodeId Root() const { return 0; }
   NodeId Size() const { return static_cast<NodeId>(this->Nodes.size()); }
@@ -85,12 +80,13 @@ public:
   Polygon Shape(NodeId id) const;
 
   /// Makes the four children of a patch or element, if it has none yet: a quadrilateral gives four
-  /// quadrilaterals around its centre (child i keeps corner i), a triangle three at its corners
-  /// (child i keeps corner i) and one in the middle. Returns the first child's id.
+  /// quadrilaterals around the mean of its corners, a triangle three at its corners and one in the
+  /// middle. Corner i of child i is corner i of the parent. Returns the first child's id.
   /// References to nodes are invalid afterwards. \pre not a cluster
   NodeId Split(NodeId id);
 
-  /// The child of a split patch or element that holds the point (nearest for points outside).
+  /// The child of a split patch or element that holds the point. A point outside goes where the
+  /// dividing lines, drawn on beyond the border, put it. \pre the node has children
   NodeId ChildContaining(NodeId id, const Vec3& point) const;
 
   /// The leaf below a patch or element that holds the point.

@@ -27,12 +27,12 @@ void Camera::Validate() const
   if (!(this->fieldOfView > 0.0 && this->fieldOfView < 180.0))
   {
     throw InputError(who + "field of view is " + std::to_string(this->fieldOfView) +
-      " degrees; give one between 0 and 180, both excluded");
+                     " degrees; give one between 0 and 180, both excluded");
   }
   if (!(this->aspect > 0.0 && std::isfinite(this->aspect)))
   {
     throw InputError(who + "aspect ratio is " + std::to_string(this->aspect) +
-      "; give a width and a height above zero");
+                     "; give a width and a height above zero");
   }
   const Vec3 sight = this->lookAt - this->eye;
   if (!(glm::length(sight) > 0.0))

@@ -50,7 +50,7 @@ void ValidateMaterial(const Material& m)
   if (!IsWithin(m.albedo + m.specular, 0.0, 1.0 + 1e-12))
   {
     throw InputError(who + "albedo + specular " + Print(m.albedo + m.specular) +
-      " is above 1: it would reflect more than it receives; lower one of them");
+                     " is above 1: it would reflect more than it receives; lower one of them");
   }
   if (!(m.shininess >= 0.0 && std::isfinite(m.shininess)))
   {
@@ -76,15 +76,15 @@ void ValidatePolygons(const Scene& scene)
       if (scene.indices[i] >= scene.vertices.size())
       {
         throw InputError(who + "vertex index " + std::to_string(scene.indices[i]) +
-          " is out of range; the scene has " + std::to_string(scene.vertices.size()) +
-          " vertices");
+                         " is out of range; the scene has " +
+                         std::to_string(scene.vertices.size()) + " vertices");
       }
     }
     if (scene.materialOfPolygon[p] >= scene.materials.size())
     {
       throw InputError(who + "material index " + std::to_string(scene.materialOfPolygon[p]) +
-        " is out of range; the scene has " + std::to_string(scene.materials.size()) +
-        " materials");
+                       " is out of range; the scene has " + std::to_string(scene.materials.size()) +
+                       " materials");
     }
   }
 }
@@ -107,7 +107,8 @@ void Scene::Validate() const
   if (this->materialOfPolygon.size() != this->PolygonCount())
   {
     throw InputError("scene: " + std::to_string(this->PolygonCount()) + " polygons but " +
-      std::to_string(this->materialOfPolygon.size()) + " material indices; give one each");
+                     std::to_string(this->materialOfPolygon.size()) +
+                     " material indices; give one each");
   }
   for (std::size_t v = 0; v < this->vertices.size(); ++v)
   {

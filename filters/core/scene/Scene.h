@@ -18,11 +18,11 @@ namespace vantage
 struct Material
 {
   std::string name;
-  Color albedo{ 0.5 };   ///< reflected / incident flux, each channel in [0, 1]
-  Color emission{ 0.0 }; ///< emitted radiance of the front side, W m^-2 sr^-1, >= 0
-  Color specular{ 0.0 }; ///< reflectance of the normalised Phong lobe; albedo + specular <= 1
+  Color albedo{ 0.5 };    ///< reflected / incident flux, each channel in [0, 1]
+  Color emission{ 0.0 };  ///< emitted radiance of the front side, W m^-2 sr^-1, >= 0
+  Color specular{ 0.0 };  ///< reflectance of the normalised Phong lobe; albedo + specular <= 1
   double shininess = 0.0; ///< exponent of that lobe, >= 0
-  bool twoSided = true;  ///< false: the back side neither reflects nor emits (it still occludes)
+  bool twoSided = true;   ///< false: the back side neither reflects nor emits (it still occludes)
 };
 
 /// Polygons over shared vertices. Polygon p has the vertices indices[offsets[p]] ..
