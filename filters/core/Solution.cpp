@@ -20,7 +20,7 @@ public:
     for (InteractionId id = 0; id < transport.Graph().Size(); ++id)
     {
       const Interaction& link = transport.Graph()[id];
-      for (End end = 0; link.isActive && end < 2; ++end)
+      for (End end = 0; end < 2; ++end)
       {
         Sums& sums = this->Nodes[link.ends[end]];
         sums.throughput += link.throughput;
@@ -42,9 +42,8 @@ public:
   {
     const Transport& transport = *this->TheTransport;
     const Sums sums = this->PathSums(leaf);
-    const Color brdf = transport.OpticsOf(transport.Tree()[leaf].patch).albedo / Pi;
     return this->IsExpanded(leaf) ? Quotient(sums.importance, sums.throughput)
-                                  : brdf * transport.Importance(leaf);
+                                  : transport.ReflectedImportance(leaf);
   }
 
 private:
@@ -118,14 +117,10 @@ std::vector<InteractionRecord> ExtractInteractions(const Transport& transport)
 {
   const ElementTree& tree = transport.Tree();
   std::vector<InteractionRecord> records;
-  records.reserve(transport.Graph().ActiveCount());
+  records.reserve(transport.Graph().Size());
   for (InteractionId id = 0; id < transport.Graph().Size(); ++id)
   {
     const Interaction& link = transport.Graph()[id];
-    if (!link.isActive)
-    {
-      continue;
-    }
     const auto power = [&](End end) { return Mean(link.shotRadiance[end]) * link.throughput; };
     // The end that has sent more is called the shooter.
     const End shooter = power(1) > power(0) ? 1 : 0;

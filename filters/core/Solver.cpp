@@ -167,7 +167,7 @@ struct Solver::Implementation
     report.unshotPower = rest.unshotPower;
     report.relativeUnshot = rest.relativeUnshot;
     report.elements = this->transport.Tree().LeafElementCount();
-    report.interactions = this->transport.Graph().ActiveCount();
+    report.interactions = this->transport.Graph().Size();
     report.evaluations = this->transport.Counters().evaluations;
     report.rays = this->transport.Counters().rays + this->castViewRays;
     report.seconds = this->secondsBefore + SecondsSince(this->runStart);
@@ -268,6 +268,11 @@ RunEnd Solver::Run(const Budget& budget, const Observer& observer)
   }
   s.RequireSolvableOnce();
   s.runStart = std::chrono::steady_clock::now();
+  // What the eye sees is expanded first, so that the reported flux never falls.
+  while (SecondsSince(s.runStart) < budget.seconds &&
+         s.transport.ExpandNextVisible(static_cast<std::uint32_t>(s.steps)))
+  {
+  }
   const double goal = std::max(budget.error, RoundOff);
   const std::uint64_t firstStep = s.steps;
   RunEnd end = RunEnd::Budget;

@@ -27,20 +27,17 @@ inline constexpr End Other(End end)
 struct Interaction
 {
   std::array<NodeId, 2> ends;
-  double throughput;          ///< G, m^2 sr, visibility included
-  double visibility;          ///< visible fraction, in [0, 1]
-  std::uint32_t agreeingRays; ///< rays that found the same, all free or all hidden, down the chain
-                              ///< of ancestors to here; 0 where they disagreed
-  std::uint32_t step;         ///< in which it was made
-  /// What each end has shot over this interaction so far, total: radiance it sent and importance
-  /// Y = rho P it sent.
+  double throughput;  ///< G, m^2 sr, visibility included
+  double visibility;  ///< visible fraction, in (0, 1]
+  std::uint32_t step; ///< in which it was made
+  /// What each end has shot over this interaction so far, in all: radiance, and importance
+  /// Y = rho P.
   std::array<Color, 2> shotRadiance{ Color(0.0), Color(0.0) };
   std::array<Color, 2> shotImportance{ Color(0.0), Color(0.0) };
-  bool isActive = true; ///< false once refined: its children carry what follows
 };
 
-/// All interactions, in the order they were made, and for each patch the active ones that one of
-/// its elements takes part in.
+/// All interactions, in the order they were made, and for each patch those that one of its elements
+/// takes part in.
 class InteractionGraph
 {
 public:
@@ -49,33 +46,36 @@ public:
   {
   }
 
-  InteractionId Add(const ElementTree& tree, const Interaction& interaction);
-
-  /// Retires an interaction; its children have taken over.
-  void Retire(InteractionId id);
+  void Add(const ElementTree& tree, const Interaction& interaction)
+  {
+    const InteractionId id = this->Size();
+    this->All.push_back(interaction);
+    for (const NodeId end : interaction.ends)
+    {
+      this->OfPatch[tree[end].patch].push_back(id);
+    }
+  }
 
   InteractionId Size() const { return static_cast<InteractionId>(this->All.size()); }
-  std::size_t ActiveCount() const { return this->Active; }
   Interaction& operator[](InteractionId id) { return this->All[id]; }
   const Interaction& operator[](InteractionId id) const { return this->All[id]; }
 
-  /// Active interactions of a patch, in the order they were made. The list stays valid until the
-  /// next Add().
-  const std::vector<InteractionId>& Of(PatchId patch);
+  /// Interactions of a patch, in the order they were made.
+  const std::vector<InteractionId>& Of(PatchId patch) const { return this->OfPatch[patch]; }
 
-  std::size_t Bytes() const;
+  std::size_t Bytes() const
+  {
+    std::size_t bytes = this->All.capacity() * sizeof(Interaction);
+    for (const std::vector<InteractionId>& ids : this->OfPatch)
+    {
+      bytes += sizeof(ids) + ids.capacity() * sizeof(InteractionId);
+    }
+    return bytes;
+  }
 
 private:
-  struct PatchList
-  {
-    std::vector<InteractionId> ids;
-    bool hasRetired = false;
-  };
-
   std::vector<Interaction> All;
-  std::vector<PatchList> OfPatch;
-  std::vector<std::array<PatchId, 2>> PatchesOf;
-  std::size_t Active = 0;
+  std::vector<std::vector<InteractionId>> OfPatch;
 };
 
 /// The end of an interaction that lies on the patch. \pre one does

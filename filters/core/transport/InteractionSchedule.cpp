@@ -32,7 +32,6 @@ void InteractionSchedule::Perform(Transport& transport, const Step& step, std::u
   if (step.interaction == None)
   {
     transport.Expand(step.patch, stepNumber);
-    transport.RefineInteractionsOf(step.patch, Transport::Flow::Leaving, stepNumber);
     ShootPatch(transport, step.patch, step.quantity);
     this->MarkAllStale();
     return;
@@ -96,7 +95,7 @@ std::optional<Step> InteractionSchedule::NextInTurn(Transport& transport, std::u
       this->Turn.pop_back();
       const Interaction& link = transport.Graph()[step.interaction];
       const End end = EndOn(transport.Tree(), link, step.patch);
-      if (link.isActive && MaxChannel(transport.UnshotRadiance(step.interaction, end)) > 0.0)
+      if (MaxChannel(transport.UnshotRadiance(step.interaction, end)) > 0.0)
       {
         return step;
       }
@@ -105,7 +104,6 @@ std::optional<Step> InteractionSchedule::NextInTurn(Transport& transport, std::u
     if (this->States[this->Cursor].rest.unshotPower > 0.0)
     {
       transport.Expand(this->Cursor, stepNumber);
-      transport.RefineInteractionsOf(this->Cursor, Transport::Flow::Leaving, stepNumber);
       this->MarkStale(transport, this->Cursor, true);
       this->Refresh(transport);
       this->Turn = transport.Graph().Of(this->Cursor);
@@ -142,15 +140,6 @@ std::optional<Step> InteractionSchedule::HighestRanked(
     {
       transport.Expand(patch, stepNumber);
       this->MarkStale(transport, patch, true);
-      continue;
-    }
-    const End end = EndOn(transport.Tree(), transport.Graph()[best.interaction], patch);
-    const NodeId other = transport.Graph()[best.interaction].ends[Other(end)];
-    if (quantity == Quantity::Radiance &&
-        transport.RefineInteraction(best.interaction, end, stepNumber))
-    {
-      this->MarkStale(transport, patch, false);
-      this->MarkStale(transport, transport.Tree()[other].patch, false);
       continue;
     }
     Step step;
@@ -226,8 +215,7 @@ InteractionSchedule::PatchState InteractionSchedule::AssessUnexpanded(
   {
     state.rest.knownUnshot = area * Mean(radiance * transport.ReceivedImportance(node));
     state.radiance.rank = state.rest.knownUnshot;
-    state.rest.unshotImportance =
-      area * Mean(transport.OpticsOf(patch).albedo * transport.Importance(node));
+    state.rest.unshotImportance = Pi * area * Mean(transport.ReflectedImportance(node));
     state.importance.rank = state.rest.unshotImportance;
   }
   return state;

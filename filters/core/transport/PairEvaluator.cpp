@@ -3,9 +3,6 @@
 #include "core/math/Sampling.h"
 #include "core/visibility/PairVisibility.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 namespace vantage
@@ -91,21 +88,6 @@ PairValue PairEvaluator::Evaluate(const ElementTree& tree, const ElementPair& pa
     value.throughput = value.visibility * Throughput(first, second, this->TheAccuracy);
   }
   return value;
-}
-
-std::vector<PairValue> PairEvaluator::Evaluate(
-  const ElementTree& tree, const std::vector<ElementPair>& pairs) const
-{
-  std::vector<PairValue> values(pairs.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 16),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-      {
-        values[i] = this->Evaluate(tree, pairs[i]);
-      }
-    });
-  return values;
 }
 
 } // namespace vantage

@@ -5,7 +5,6 @@
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
-#include <vector>
 
 /// \file PairEvaluator.h
 /// Throughput and visibility of pairs of elements: the expensive part, pure and parallel.
@@ -13,13 +12,13 @@
 namespace vantage
 {
 
-/// A pair to evaluate, and what is known from the interaction it refines.
+/// A pair to evaluate, and what is known from the coarser pair it refines.
 struct ElementPair
 {
   NodeId first;
   NodeId second;
-  double parentVisibility = 0.5;        ///< of the interaction that is refined
-  std::uint32_t parentAgreeingRays = 0; ///< see Interaction::agreeingRays; 0 for a new pair
+  double parentVisibility = 0.5;        ///< of the pair that is refined
+  std::uint32_t parentAgreeingRays = 0; ///< PairValue::agreeingRays of that pair
   bool isRoot = false;                  ///< two whole patches: nothing is known of them
 };
 
@@ -27,6 +26,8 @@ struct PairValue
 {
   double throughput = 0.0; ///< m^2 sr, visibility included
   double visibility = 0.0;
+  /// Rays that found the same, all free or all hidden, down the chain of ancestors to here; 0
+  /// where they disagreed.
   std::uint32_t agreeingRays = 0;
   std::uint32_t rays = 0; ///< traced for this pair
 };
@@ -34,7 +35,7 @@ struct PairValue
 /// Stands for "proved": more agreeing rays than any certificate asks for.
 inline constexpr std::uint32_t Certain = 1u << 20;
 
-/// Agreeing rays after which the visibility of an interaction is taken for granted by its children.
+/// Agreeing rays after which the visibility of a pair is taken for granted in its refinements.
 inline constexpr std::uint32_t CertifyingRays = 24;
 
 class PairEvaluator
@@ -46,10 +47,6 @@ public:
 
   /// Pure; the same for either order of the ends.
   PairValue Evaluate(const ElementTree& tree, const ElementPair& pair) const;
-
-  /// All pairs on all threads of the arena, results in the order of the pairs.
-  std::vector<PairValue> Evaluate(
-    const ElementTree& tree, const std::vector<ElementPair>& pairs) const;
 
 private:
   const OccluderScene* Occluders;

@@ -69,12 +69,11 @@ void PatchSchedule::Perform(Transport& transport, const Step& step, std::uint32_
   const NodeId node = transport.Tree().Patches()[step.patch].node;
   if (step.quantity == Quantity::Radiance)
   {
-    transport.RefineInteractionsOf(step.patch, Transport::Flow::Leaving, stepNumber);
     this->Shots[step.patch].radiance = transport.Radiance(node);
   }
   else
   {
-    this->Shots[step.patch].importance = transport.Importance(node);
+    this->Shots[step.patch].importance = transport.ReflectedImportance(node);
   }
   ShootPatch(transport, step.patch, step.quantity);
   this->LastShot = step.quantity;
@@ -128,8 +127,7 @@ Color PatchSchedule::UnshotRadiance(const Transport& transport, PatchId patch) c
 Color PatchSchedule::UnshotImportance(const Transport& transport, PatchId patch) const
 {
   const NodeId node = transport.Tree().Patches()[patch].node;
-  return transport.OpticsOf(patch).albedo / Pi *
-         UnshotPart(transport.Importance(node), this->Shots[patch].importance);
+  return UnshotPart(transport.ReflectedImportance(node), this->Shots[patch].importance);
 }
 
 double PatchSchedule::RadianceRank(const Transport& transport, PatchId patch) const
@@ -210,11 +208,15 @@ void GatheringSchedule::Perform(Transport& transport, const Step& step, std::uin
   transport.Expand(step.patch, stepNumber);
   if (step.kind == Step::Kind::Shoot)
   {
-    transport.RefineInteractionsOf(step.patch, Transport::Flow::Leaving, stepNumber);
     ShootPatch(transport, step.patch, Quantity::Radiance);
     return;
   }
-  transport.RefineInteractionsOf(step.patch, Transport::Flow::Arriving, stepNumber);
+  for (const InteractionId id : transport.Graph().Of(step.patch))
+  {
+    const Interaction& link = transport.Graph()[id];
+    const NodeId sender = link.ends[Other(EndOn(transport.Tree(), link, step.patch))];
+    transport.Expand(transport.Tree()[sender].patch, stepNumber);
+  }
   const NodeId node = transport.Tree().Patches()[step.patch].node;
   const Color before = transport.Radiance(node);
   for (const InteractionId id : transport.Graph().Of(step.patch))
@@ -222,7 +224,7 @@ void GatheringSchedule::Perform(Transport& transport, const Step& step, std::uin
     transport.ShootRadiance(id, Other(EndOn(transport.Tree(), transport.Graph()[id], step.patch)));
   }
   this->LastChange[step.patch] =
-    Power(PatchArea(transport, step.patch), transport.Radiance(node) - before);
+    Power(PatchArea(transport, step.patch), UnshotPart(transport.Radiance(node), before));
   this->Cursor = (step.patch + 1) % PatchCount(transport);
 }
 

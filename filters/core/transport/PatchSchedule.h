@@ -31,7 +31,7 @@ private:
   struct Shot
   {
     Color radiance{ 0.0 };
-    Color importance{ 0.0 };
+    Color importance{ 0.0 }; ///< Y, reflected
   };
 
   Color UnshotRadiance(const Transport& transport, PatchId patch) const;

@@ -30,6 +30,14 @@ double LongestEdge(const Node& node)
   return longest;
 }
 
+/// How much the kernel cos cos / r^2 varies over both ends, roughly, relative to its mean: their
+/// sizes over their distance, at most 1.
+double KernelVariation(const Node& a, const Node& b)
+{
+  const double distance = glm::length(a.centre - b.centre);
+  return std::min(1.0, (a.radius + b.radius) / distance);
+}
+
 } // namespace
 
 void RefinementSettings::Validate() const
@@ -100,10 +108,13 @@ bool Refiner::IsTooCoarse(const ElementTree& tree, const RefinementQuery& query)
   {
     return isLarge;
   }
-  const bool isPartlyVisible = query.visibility < 1.0;
-  const double tolerance = isPartlyVisible && query.isDirect ? this->Settings.shadowTolerance
-                                                             : this->Settings.powerTolerance;
-  return query.relativePower > tolerance && (isLarge || isPartlyVisible);
+  if (query.visibility < 1.0)
+  {
+    return query.relativePower >
+           (query.isDirect ? this->Settings.shadowTolerance : this->Settings.powerTolerance);
+  }
+  return query.relativePower * KernelVariation(tree[query.first], tree[query.second]) >
+         this->Settings.powerTolerance;
 }
 
 bool Refiner::MaySplit(const Node& node) const

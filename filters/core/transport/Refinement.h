@@ -14,20 +14,21 @@ namespace vantage
 enum class RefinementOracle
 {
   F, ///< form factor alone: the interactions depend on geometry only
-  BF ///< form factor weighted by the power that is carried
+  BF ///< form factor weighted by the power that is going to be carried (RadiancePrediction.h)
 };
 
 /// All tolerances are relative, so that a scene in millimetres and one in kilometres refine alike.
 struct RefinementSettings
 {
   RefinementOracle oracle = RefinementOracle::BF;
-  /// Largest classical form factor from the smaller to the larger end that an interaction may have
-  /// without being refined, (0, 1]. The error of a constant kernel falls with it.
+  /// F: largest classical form factor from the smaller to the larger end that an interaction may
+  /// have without being refined, (0, 1]. The error of a constant kernel falls with it.
   double formFactorTolerance = 0.1;
-  /// BF: an interaction that carries less than this part of the power of the strongest emitter is
-  /// not refined, >= 0.
-  double powerTolerance = 1e-3;
-  /// BF: the same for direct light that is partly visible, at shadow boundaries, >= 0.
+  /// BF: largest part of the power of the strongest emitter that may be at stake in an interaction,
+  /// >= 0. At stake is what the interaction is going to carry times the variation of the kernel
+  /// over its ends (their sizes over their distance); all it carries where it is partly visible.
+  double powerTolerance = 3e-4;
+  /// BF: the same for direct light that is partly visible: at shadow boundaries, >= 0.
   double shadowTolerance = 1e-4;
   /// Elements are not split below this edge length, relative to the square root of the mean facet
   /// area, > 0.
@@ -43,15 +44,15 @@ std::string NameOf(RefinementOracle oracle);
 /// \throw UnknownNameError
 RefinementOracle RefinementOracleFromName(const std::string& name);
 
-/// What the oracle is told of an interaction that is about to carry radiance.
+/// What the oracle is told of a pair that could become an interaction.
 struct RefinementQuery
 {
   NodeId first;
   NodeId second;
   double throughput;    ///< m^2 sr, visibility included
   double visibility;    ///< (0, 1]
-  double relativePower; ///< what it carries / power of the strongest emitter
-  bool isDirect;        ///< the shooter is an emitter
+  double relativePower; ///< the larger one of what both ends shoot / power of the strongest emitter
+  bool isDirect;        ///< an end emits
 };
 
 /// Decides whether an interaction is refined, and which end is split for it.
@@ -64,9 +65,6 @@ public:
   /// The end (0 or 1) to split: the larger one, or the other when that may not be split any
   /// more; nothing when the interaction is fine enough or neither may be split.
   std::optional<int> EndToSplit(const ElementTree& tree, const RefinementQuery& query) const;
-
-  /// Whether what is carried does not matter.
-  bool DependsOnGeometryOnly() const { return this->Settings.oracle == RefinementOracle::F; }
 
 private:
   bool IsTooCoarse(const ElementTree& tree, const RefinementQuery& query) const;

@@ -1,26 +1,14 @@
 #include "core/transport/Transport.h"
 
+#include "core/transport/Closure.h"
+
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace vantage
 {
-
-namespace
-{
-
-/// What a part of an end has shot when the whole end, with mean `whole`, has shot `shot`.
-Color InheritedPart(const Color& shot, const Color& whole, const Color& part)
-{
-  Color inherited(0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    inherited[k] = whole[k] > 0.0 ? part[k] * std::min(1.0, shot[k] / whole[k]) : 0.0;
-  }
-  return inherited;
-}
-
-} // namespace
 
 Color UnshotPart(const Color& total, const Color& shot)
 {
@@ -37,14 +25,18 @@ Color UnshotPart(const Color& total, const Color& shot)
 Transport::Transport(ElementTree tree, const OccluderScene& occluders,
   std::vector<PatchOptics> optics, double meanFacetArea, const TransportSettings& settings)
   : TheTree(std::move(tree))
+  , Occluders(&occluders)
   , Optics(std::move(optics))
   , Evaluator(occluders, settings.accuracy, settings.visibilityRays)
   , TheRefiner(settings.refinement, meanFacetArea)
+  , Prediction(this->TheTree, occluders, this->Optics)
+  , Predicted(this->TheTree.Patches().size(), NotPredicted)
   , TheGraph(this->TheTree.Patches().size())
+  , WeightedView(this->TheTree.Size(), 0.0)
   , Expanded(this->TheTree.Patches().size(), 0)
 {
-  this->ReceivedRadiance.Follow(this->TheTree);
-  this->ReceivedImportances.Follow(this->TheTree);
+  this->RadianceField.Follow(this->TheTree);
+  this->ImportanceField.Follow(this->TheTree);
   this->View.Set(this->TheTree, {});
   this->MeasureOptics();
 }
@@ -52,8 +44,10 @@ Transport::Transport(ElementTree tree, const OccluderScene& occluders,
 void Transport::SetOptics(std::vector<PatchOptics> optics)
 {
   this->Optics = std::move(optics);
-  this->ReceivedRadiance.Clear();
-  this->ReceivedImportances.Clear();
+  this->Prediction = RadiancePrediction(this->TheTree, *this->Occluders, this->Optics);
+  this->Predicted.assign(this->Predicted.size(), NotPredicted);
+  this->RadianceField.Clear();
+  this->ImportanceField.Clear();
   for (InteractionId id = 0; id < this->TheGraph.Size(); ++id)
   {
     this->TheGraph[id].shotRadiance = { Color(0.0), Color(0.0) };
@@ -67,11 +61,25 @@ void Transport::SetView(std::vector<ViewSample> samples)
 {
   this->View.Set(this->TheTree, std::move(samples));
   this->IsViewSet = true;
-  this->ReceivedImportances.Clear();
+  this->ImportanceField.Clear();
   for (InteractionId id = 0; id < this->TheGraph.Size(); ++id)
   {
     this->TheGraph[id].shotImportance = { Color(0.0), Color(0.0) };
   }
+  this->VisiblePatches.clear();
+  for (PatchId p = 0; p < this->Optics.size(); ++p)
+  {
+    const Patch& patch = this->TheTree.Patches()[p];
+    if (patch.IsActive())
+    {
+      this->WeighView(patch.node);
+      if (!this->IsExpanded(p) && this->ViewImportance(patch.node) > 0.0)
+      {
+        this->VisiblePatches.push_back(p);
+      }
+    }
+  }
+  std::reverse(this->VisiblePatches.begin(), this->VisiblePatches.end());
   this->ResetFlux();
 }
 
@@ -81,68 +89,47 @@ void Transport::Expand(PatchId patch, std::uint32_t step)
   {
     return;
   }
-  const NodeId self = this->TheTree.Patches()[patch].node;
-  std::vector<ElementPair> pairs;
-  for (const NodeId other : this->PatchesInFrontOf(patch))
-  {
-    if (!this->IsExpanded(this->TheTree[other].patch))
-    {
-      ElementPair pair;
-      pair.first = std::min(self, other);
-      pair.second = std::max(self, other);
-      pair.isRoot = true;
-      pairs.push_back(pair);
-    }
-  }
-  const std::vector<PairValue> values = this->EvaluateAndCount(pairs);
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    if (values[i].throughput > 0.0)
-    {
-      this->TheGraph.Add(this->TheTree, this->MakeInteraction(pairs[i], values[i], step));
-    }
-  }
-  this->Expanded[patch] = 1;
-  if (this->TheRefiner.DependsOnGeometryOnly())
-  {
-    this->RefineInteractionsOf(patch, Flow::Leaving, step);
-  }
-}
-
-void Transport::RefineInteractionsOf(PatchId patch, Flow flow, std::uint32_t step)
-{
-  // One level of all interactions at a time, so that the new pairs are evaluated in parallel.
-  std::vector<InteractionId> candidates = this->TheGraph.Of(patch);
+  // One level of all interactions at a time, so that pairs are evaluated in parallel.
+  std::vector<Candidate> candidates = this->RootCandidates(patch);
   while (!candidates.empty())
   {
-    std::vector<Refinement> refinements;
-    for (const InteractionId id : candidates)
+    this->Evaluate(candidates);
+    std::vector<Candidate> finer;
+    for (const Candidate& candidate : candidates)
     {
-      const End own = EndOn(this->TheTree, this->TheGraph[id], patch);
-      const auto split = this->EndToSplit(id, flow == Flow::Leaving ? own : Other(own));
-      if (split)
+      if (candidate.value.throughput == 0.0)
       {
-        refinements.push_back({ id, *split });
+        continue;
+      }
+      if (const auto splitEnd = this->EndToSplit(candidate))
+      {
+        const std::vector<Candidate> children = this->Refine(candidate, *splitEnd);
+        finer.insert(finer.end(), children.begin(), children.end());
+      }
+      else
+      {
+        this->AddInteraction(candidate, step);
       }
     }
-    const InteractionId firstNew = this->TheGraph.Size();
-    this->Refine(refinements, step);
-    candidates.clear();
-    for (InteractionId id = firstNew; id < this->TheGraph.Size(); ++id)
-    {
-      candidates.push_back(id);
-    }
+    candidates = std::move(finer);
   }
+  this->Expanded[patch] = 1;
+  this->CloseRows(patch);
 }
 
-bool Transport::RefineInteraction(InteractionId id, End shooter, std::uint32_t step)
+bool Transport::ExpandNextVisible(std::uint32_t step)
 {
-  const auto split = this->EndToSplit(id, shooter);
-  if (split)
+  while (!this->VisiblePatches.empty())
   {
-    this->Refine({ { id, *split } }, step);
+    const PatchId patch = this->VisiblePatches.back();
+    this->VisiblePatches.pop_back();
+    if (!this->IsExpanded(patch))
+    {
+      this->Expand(patch, step);
+      return true;
+    }
   }
-  return split.has_value();
+  return false;
 }
 
 void Transport::ShootRadiance(InteractionId id, End shooter)
@@ -155,11 +142,13 @@ void Transport::ShootRadiance(InteractionId id, End shooter)
     return;
   }
   const NodeId receiver = link.ends[Other(shooter)];
-  const double area = this->TheTree[receiver].area;
-  const Color reflected = this->Brdf(receiver) * unshot * (link.throughput / area);
-  this->FluxEstimate += unshot * link.throughput * this->UnshotImportance(id, Other(shooter));
-  this->FluxReceived += reflected * (area * this->ViewImportance(receiver));
-  this->ReceivedRadiance.Receive(this->TheTree, receiver, reflected);
+  const Color power = unshot * link.throughput;
+  const Color seen = power * this->Brdf(receiver) * this->WeightedView[receiver];
+  this->FluxReceived += seen;
+  this->FluxEstimate += this->IsExpanded(this->TheTree[receiver].patch)
+                          ? power * this->UnshotImportance(id, Other(shooter))
+                          : seen;
+  this->RadianceField.Receive(this->TheTree, receiver, power / this->TheTree[receiver].area);
   link.shotRadiance[shooter] = radiance;
 }
 
@@ -173,9 +162,12 @@ void Transport::ShootImportance(InteractionId id, End shooter)
     return;
   }
   const NodeId receiver = link.ends[Other(shooter)];
-  this->FluxEstimate += unshot * link.throughput * this->UnshotRadiance(id, Other(shooter));
-  this->ReceivedImportances.Receive(
-    this->TheTree, receiver, unshot * (link.throughput / this->TheTree[receiver].area));
+  const Color flow = unshot * link.throughput;
+  if (this->IsExpanded(this->TheTree[receiver].patch))
+  {
+    this->FluxEstimate += flow * this->UnshotRadiance(id, Other(shooter));
+  }
+  this->ImportanceField.Receive(this->TheTree, receiver, flow / this->TheTree[receiver].area);
   link.shotImportance[shooter] = importance;
 }
 
@@ -186,8 +178,7 @@ Color Transport::LeavingRadiance(InteractionId id, End shooter) const
 
 Color Transport::LeavingImportance(InteractionId id, End shooter) const
 {
-  const NodeId node = this->TheGraph[id].ends[shooter];
-  return this->Brdf(node) * this->Importance(node);
+  return this->ReflectedImportance(this->TheGraph[id].ends[shooter]);
 }
 
 Color Transport::UnshotRadiance(InteractionId id, End shooter) const
@@ -204,17 +195,23 @@ Color Transport::UnshotImportance(InteractionId id, End shooter) const
 Color Transport::Radiance(NodeId node) const
 {
   return this->Optics[this->TheTree[node].patch].emission +
-         this->ReceivedRadiance.Value(this->TheTree, node);
-}
-
-Color Transport::ReceivedImportance(NodeId node) const
-{
-  return this->ReceivedImportances.Value(this->TheTree, node);
+         this->Brdf(node) * this->RadianceField.Weighted(this->TheTree, node);
 }
 
 Color Transport::Importance(NodeId node) const
 {
   return Color(this->ViewImportance(node)) + this->ReceivedImportance(node);
+}
+
+Color Transport::ReceivedImportance(NodeId node) const
+{
+  return this->ImportanceField.Received(this->TheTree, node);
+}
+
+Color Transport::ReflectedImportance(NodeId node) const
+{
+  return this->Brdf(node) *
+         (Color(this->WeightedView[node]) + this->ImportanceField.Weighted(this->TheTree, node));
 }
 
 double Transport::ViewImportance(NodeId node) const
@@ -255,77 +252,12 @@ Color Transport::ViewFluxOfImportance() const
 std::size_t Transport::Bytes() const
 {
   return this->TheTree.Size() * sizeof(Node) + this->TheGraph.Bytes() +
-         this->ReceivedRadiance.Bytes() + this->ReceivedImportances.Bytes() + this->View.Bytes();
+         this->RadianceField.Bytes() + this->ImportanceField.Bytes() + this->View.Bytes();
 }
 
 Color Transport::Brdf(NodeId node) const
 {
   return this->Optics[this->TheTree[node].patch].albedo / Pi;
-}
-
-std::optional<End> Transport::EndToSplit(InteractionId id, End shooter) const
-{
-  const Interaction& link = this->TheGraph[id];
-  const Color power = this->LeavingRadiance(id, shooter) * link.throughput;
-  RefinementQuery query;
-  query.first = link.ends[0];
-  query.second = link.ends[1];
-  query.throughput = link.throughput;
-  query.visibility = link.visibility;
-  query.relativePower =
-    this->StrongestEmitterPower > 0.0 ? Mean(power) / this->StrongestEmitterPower : 0.0;
-  const PatchId patch = this->TheTree[link.ends[shooter]].patch;
-  query.isDirect = MaxChannel(this->Optics[patch].emission) > 0.0;
-  return this->TheRefiner.EndToSplit(this->TheTree, query);
-}
-
-void Transport::Refine(const std::vector<Refinement>& refinements, std::uint32_t step)
-{
-  std::vector<ElementPair> pairs;
-  std::vector<InteractionId> parents;
-  for (const Refinement& refinement : refinements)
-  {
-    const Interaction& parent = this->TheGraph[refinement.parent];
-    const NodeId node = parent.ends[refinement.splitEnd];
-    this->SplitNode(node);
-    const NodeId firstChild = this->TheTree[node].firstChild;
-    for (NodeId child = firstChild; child < firstChild + this->TheTree[node].childCount; ++child)
-    {
-      ElementPair pair;
-      pair.first = refinement.splitEnd == 0 ? child : parent.ends[0];
-      pair.second = refinement.splitEnd == 1 ? child : parent.ends[1];
-      pair.parentVisibility = parent.visibility;
-      pair.parentAgreeingRays = parent.agreeingRays;
-      pairs.push_back(pair);
-      parents.push_back(refinement.parent);
-    }
-  }
-  const std::vector<PairValue> values = this->EvaluateAndCount(pairs);
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    if (values[i].throughput > 0.0)
-    {
-      Interaction child = this->MakeInteraction(pairs[i], values[i], step);
-      this->InheritShotParts(child, this->TheGraph[parents[i]]);
-      this->TheGraph.Add(this->TheTree, child);
-    }
-  }
-  for (const Refinement& refinement : refinements)
-  {
-    this->TheGraph.Retire(refinement.parent);
-  }
-}
-
-void Transport::SplitNode(NodeId node)
-{
-  if (!this->TheTree[node].IsLeaf())
-  {
-    return;
-  }
-  this->TheTree.Split(node);
-  this->ReceivedRadiance.Follow(this->TheTree);
-  this->ReceivedImportances.Follow(this->TheTree);
-  this->View.FollowSplit(this->TheTree, node);
 }
 
 std::vector<NodeId> Transport::PatchesInFrontOf(PatchId patch) const
@@ -357,47 +289,154 @@ std::vector<NodeId> Transport::PatchesInFrontOf(PatchId patch) const
   return found;
 }
 
-Interaction Transport::MakeInteraction(
-  const ElementPair& pair, const PairValue& value, std::uint32_t step) const
+std::vector<Transport::Candidate> Transport::RootCandidates(PatchId patch)
+{
+  const NodeId self = this->TheTree.Patches()[patch].node;
+  std::vector<Candidate> candidates;
+  for (const NodeId other : this->PatchesInFrontOf(patch))
+  {
+    if (!this->IsExpanded(this->TheTree[other].patch))
+    {
+      Candidate candidate;
+      candidate.pair.first = std::min(self, other);
+      candidate.pair.second = std::max(self, other);
+      candidate.pair.isRoot = true;
+      candidates.push_back(candidate);
+    }
+  }
+  return candidates;
+}
+
+std::vector<Transport::Candidate> Transport::Refine(const Candidate& coarse, int splitEnd)
+{
+  const NodeId node = splitEnd == 0 ? coarse.pair.first : coarse.pair.second;
+  this->SplitNode(node);
+  const NodeId firstChild = this->TheTree[node].firstChild;
+  std::vector<Candidate> children(this->TheTree[node].childCount);
+  for (NodeId c = 0; c < children.size(); ++c)
+  {
+    ElementPair& pair = children[c].pair;
+    pair.first = splitEnd == 0 ? firstChild + c : coarse.pair.first;
+    pair.second = splitEnd == 1 ? firstChild + c : coarse.pair.second;
+    pair.parentVisibility = coarse.value.visibility;
+    pair.parentAgreeingRays = coarse.value.agreeingRays;
+  }
+  return children;
+}
+
+void Transport::Evaluate(std::vector<Candidate>& candidates)
+{
+  tbb::parallel_for(std::size_t(0), candidates.size(),
+    [&](std::size_t i)
+    { candidates[i].value = this->Evaluator.Evaluate(this->TheTree, candidates[i].pair); });
+  this->Counts.evaluations += candidates.size();
+  for (const Candidate& candidate : candidates)
+  {
+    this->Counts.rays += candidate.value.rays;
+  }
+}
+
+std::optional<int> Transport::EndToSplit(const Candidate& candidate)
+{
+  const PatchId first = this->TheTree[candidate.pair.first].patch;
+  const PatchId second = this->TheTree[candidate.pair.second].patch;
+  const double radiance = std::max(this->PredictedRadiance(first), this->PredictedRadiance(second));
+  const double strongest = this->Prediction.StrongestPower();
+  RefinementQuery query;
+  query.first = candidate.pair.first;
+  query.second = candidate.pair.second;
+  query.throughput = candidate.value.throughput;
+  query.visibility = candidate.value.visibility;
+  query.relativePower = strongest > 0.0 ? radiance * query.throughput / strongest : 0.0;
+  query.isDirect = MaxChannel(this->Optics[first].emission) > 0.0 ||
+                   MaxChannel(this->Optics[second].emission) > 0.0;
+  return this->TheRefiner.EndToSplit(this->TheTree, query);
+}
+
+double Transport::PredictedRadiance(PatchId patch)
+{
+  if (this->Predicted[patch] == NotPredicted)
+  {
+    this->Predicted[patch] = this->Prediction.Of(patch);
+  }
+  return this->Predicted[patch];
+}
+
+void Transport::SplitNode(NodeId node)
+{
+  if (!this->TheTree[node].IsLeaf())
+  {
+    return;
+  }
+  const NodeId firstChild = this->TheTree.Split(node);
+  this->RadianceField.Follow(this->TheTree);
+  this->ImportanceField.Follow(this->TheTree);
+  this->View.FollowSplit(this->TheTree, node);
+  this->WeightedView.resize(this->TheTree.Size());
+  for (NodeId c = firstChild; c < this->TheTree.Size(); ++c)
+  {
+    this->WeightedView[c] = this->ViewImportance(c);
+  }
+}
+
+void Transport::AddInteraction(const Candidate& candidate, std::uint32_t step)
 {
   Interaction link;
-  link.ends = { pair.first, pair.second };
-  link.throughput = value.throughput;
-  link.visibility = value.visibility;
-  link.agreeingRays = value.agreeingRays;
+  link.ends = { candidate.pair.first, candidate.pair.second };
+  link.throughput = candidate.value.throughput;
+  link.visibility = candidate.value.visibility;
   link.step = step;
-  return link;
+  this->TheGraph.Add(this->TheTree, link);
 }
 
-void Transport::InheritShotParts(Interaction& child, const Interaction& parent) const
+void Transport::CloseRows(PatchId patch)
 {
-  for (End end = 0; end < 2; ++end)
+  const NodeId root = this->TheTree.Patches()[patch].node;
+  const auto leafSum = [&](auto&& value)
   {
-    const NodeId whole = parent.ends[end];
-    const NodeId part = child.ends[end];
-    child.shotRadiance[end] =
-      InheritedPart(parent.shotRadiance[end], this->Radiance(whole), this->Radiance(part));
-    const Color brdf = this->Brdf(part);
-    child.shotImportance[end] = InheritedPart(
-      parent.shotImportance[end], brdf * this->Importance(whole), brdf * this->Importance(part));
-  }
+    Color sum(0.0);
+    for (const NodeId node : NodesOfPatch(this->TheTree, root))
+    {
+      if (this->TheTree[node].IsLeaf())
+      {
+        sum += this->Radiance(node) * this->TheTree[node].area * value(node);
+      }
+    }
+    return sum;
+  };
+  const auto view = [&](NodeId node) { return Color(this->ViewImportance(node)); };
+  const auto received = [&](NodeId node) { return this->ReceivedImportance(node); };
+
+  const Color seenBefore = leafSum(view);
+  const std::vector<double> factors =
+    ClosureFactors(this->TheTree, *this->Occluders, this->TheGraph, patch);
+  this->RadianceField.SetWeights(this->TheTree, root, factors);
+  this->ImportanceField.SetWeights(this->TheTree, root, factors);
+  this->WeighView(root);
+  // All that the patch has is unshot now, and counts where its importance is known.
+  const Color change = leafSum(view) - seenBefore;
+  this->FluxReceived += change;
+  this->FluxEstimate += change + leafSum(received);
 }
 
-std::vector<PairValue> Transport::EvaluateAndCount(const std::vector<ElementPair>& pairs)
+void Transport::WeighView(NodeId patch)
 {
-  std::vector<PairValue> values = this->Evaluator.Evaluate(this->TheTree, pairs);
-  this->Counts.evaluations += pairs.size();
-  for (const PairValue& value : values)
+  const std::vector<NodeId> nodes = NodesOfPatch(this->TheTree, patch);
+  for (auto n = nodes.rbegin(); n != nodes.rend(); ++n)
   {
-    this->Counts.rays += value.rays;
+    const Node& node = this->TheTree[*n];
+    this->WeightedView[*n] =
+      node.IsLeaf() ? this->RadianceField.Weight(*n) * this->ViewImportance(*n) : 0.0;
+    for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
+    {
+      this->WeightedView[*n] += this->TheTree[c].area / node.area * this->WeightedView[c];
+    }
   }
-  return values;
 }
 
 void Transport::MeasureOptics()
 {
   this->TotalEmittedPower = 0.0;
-  this->StrongestEmitterPower = 0.0;
   this->AreaOfAll = 0.0;
   double reflectingArea = 0.0;
   for (PatchId p = 0; p < this->Optics.size(); ++p)
@@ -406,11 +445,9 @@ void Transport::MeasureOptics()
     if (patch.IsActive())
     {
       const double area = this->TheTree[patch.node].area;
-      const double power = Pi * area * Mean(this->Optics[p].emission);
       this->AreaOfAll += area;
       reflectingArea += area * Mean(this->Optics[p].albedo);
-      this->TotalEmittedPower += power;
-      this->StrongestEmitterPower = std::max(this->StrongestEmitterPower, power);
+      this->TotalEmittedPower += Pi * area * Mean(this->Optics[p].emission);
     }
   }
   this->AlbedoOfAll = reflectingArea / this->AreaOfAll;

@@ -3,6 +3,8 @@
 #include "core/transport/HierarchicalField.h"
 #include "core/transport/InteractionGraph.h"
 #include "core/transport/PairEvaluator.h"
+#include "core/transport/PatchOptics.h"
+#include "core/transport/RadiancePrediction.h"
 #include "core/transport/Refinement.h"
 #include "core/transport/ViewWeights.h"
 
@@ -16,13 +18,6 @@
 
 namespace vantage
 {
-
-/// What a side of a facet is made of.
-struct PatchOptics
-{
-  Color albedo{ 0.0 };
-  Color emission{ 0.0 }; ///< W m^-2 sr^-1
-};
 
 struct TransportSettings
 {
@@ -38,19 +33,17 @@ struct TransportCounters
   std::uint64_t rays = 0;        ///< shadow rays
 };
 
-/// total - shot, where total >= shot but for round-off. A difference of a few roundings is nothing
-/// at all, or it would be shot for ever.
-Color UnshotPart(const Color& total, const Color& shot);
-
 /// Radiance and importance of all elements, and the interactions over which both are shot
 /// (Bekaert and Willems 1995, section 3, in the diffuse case):
 ///
 ///     L_i = E_i + rho_i sum_k F_ik L_k          P_i = V_i + sum_j F_ij Y_j,   Y_j = rho_j P_j
 ///
 /// An interaction remembers what it has carried, so what is unshot is a difference, and adding to a
-/// patch is O(level) however many interactions it has. When an interaction is refined, its children
-/// are taken to have shot the same fraction of what their ends have as it had: what is unshot
-/// stays what it was, nothing is ever taken back, and radiance, importance and flux only grow.
+/// patch is O(level) however many interactions it has. The interactions of a patch are made
+/// all at once (Expand), as fine as the tolerances ask, and never change: they depend on the scene
+/// only, not on the order of the steps. A patch is expanded before it shoots for the first time;
+/// from then on its elements are final and its rows are closed (Closure.h). Radiance, importance
+/// and flux only grow, but for the elements of a patch at the moment it is expanded.
 class Transport
 {
 public:
@@ -67,24 +60,18 @@ public:
   /// \name Moves
   /// `step` is noted in the interactions that are made.
   ///@{
-  /// Makes the interactions of a patch with all patches that are not expanded yet (those have
-  /// made theirs with it already). The F oracle refines them at once, so that radiance and
-  /// importance travel over the very same ones.
+  /// Makes the interactions of a patch with all patches that are not expanded yet (the others have
+  /// made theirs with it already).
   void Expand(PatchId patch, std::uint32_t step);
   bool IsExpanded(PatchId patch) const { return this->Expanded[patch] != 0; }
 
-  /// Refines interactions that are too coarse for the radiance that leaves their end on the patch
-  /// (or, with Other ends, arrives at it), until none is.
-  enum class Flow
-  {
-    Leaving,
-    Arriving
-  };
-  void RefineInteractionsOf(PatchId patch, Flow flow, std::uint32_t step);
-  /// The same for one interaction and one direction; true when its children replaced it.
-  bool RefineInteraction(InteractionId id, End shooter, std::uint32_t step);
+  /// Expands the next patch that the eye sees directly; false when all are. A flux estimate is
+  /// known not to fall once this has been done.
+  bool ExpandNextVisible(std::uint32_t step);
 
+  /// \pre the shooter's patch is expanded
   void ShootRadiance(InteractionId id, End shooter);
+  /// \pre the shooter's patch is expanded
   void ShootImportance(InteractionId id, End shooter);
   ///@}
 
@@ -98,15 +85,16 @@ public:
 
   /// \name Means over a node
   ///@{
-  Color Radiance(NodeId node) const;           ///< L, W m^-2 sr^-1
-  Color ReceivedImportance(NodeId node) const; ///< P - V, sr m^-2
-  Color Importance(NodeId node) const;         ///< P, sr m^-2
-  double ViewImportance(NodeId node) const;    ///< V, sr m^-2
+  Color Radiance(NodeId node) const;            ///< L, W m^-2 sr^-1
+  Color Importance(NodeId node) const;          ///< P, sr m^-2
+  Color ReceivedImportance(NodeId node) const;  ///< P - V, sr m^-2
+  Color ReflectedImportance(NodeId node) const; ///< Y = rho P, m^-2
+  double ViewImportance(NodeId node) const;     ///< V, sr m^-2
   ///@}
 
-  /// Estimate of the view flux from below, <V, Ls> + <P, r>. Shooting radiance r over an
-  /// interaction whose importance the other way is unshot by q adds r G q to it, and so does
-  /// shooting that importance: the error is a product of two residuals.
+  /// Estimate of the view flux from below, <V, Ls> + <P, r> over the expanded patches. Shooting
+  /// radiance r over an interaction whose importance the other way is unshot by q adds r G q to
+  /// it, and so does shooting that importance: the error is a product of two residuals.
   const Color& ViewFluxEstimate() const { return this->FluxEstimate; }
   /// <V, L> of the radiance received so far.
   const Color& ViewFluxReceived() const { return this->FluxReceived; }
@@ -123,48 +111,64 @@ public:
   bool HasView() const { return this->IsViewSet; }
 
   const ElementTree& Tree() const { return this->TheTree; }
-  InteractionGraph& Graph() { return this->TheGraph; }
   const InteractionGraph& Graph() const { return this->TheGraph; }
   const PatchOptics& OpticsOf(PatchId patch) const { return this->Optics[patch]; }
   const TransportCounters& Counters() const { return this->Counts; }
   std::size_t Bytes() const;
 
+  // The prediction refers to the tree and the optics.
+  Transport(const Transport&) = delete;
+  Transport& operator=(const Transport&) = delete;
+
 private:
-  struct Refinement
+  static constexpr double NotPredicted = -1.0;
+
+  /// A pair on its way to become an interaction.
+  struct Candidate
   {
-    InteractionId parent;
-    End splitEnd;
+    ElementPair pair;
+    PairValue value;
   };
 
   Color Brdf(NodeId node) const;
-  std::optional<End> EndToSplit(InteractionId id, End shooter) const;
-  void Refine(const std::vector<Refinement>& refinements, std::uint32_t step);
-  void SplitNode(NodeId node);
   std::vector<NodeId> PatchesInFrontOf(PatchId patch) const;
-  Interaction MakeInteraction(
-    const ElementPair& pair, const PairValue& value, std::uint32_t step) const;
-  void InheritShotParts(Interaction& child, const Interaction& parent) const;
-  std::vector<PairValue> EvaluateAndCount(const std::vector<ElementPair>& pairs);
+  std::vector<Candidate> RootCandidates(PatchId patch);
+  std::vector<Candidate> Refine(const Candidate& coarse, int splitEnd);
+  void Evaluate(std::vector<Candidate>& candidates);
+  std::optional<int> EndToSplit(const Candidate& candidate);
+  double PredictedRadiance(PatchId patch);
+  void SplitNode(NodeId node);
+  void AddInteraction(const Candidate& candidate, std::uint32_t step);
+  void CloseRows(PatchId patch);
+  void WeighView(NodeId patch);
   void MeasureOptics();
   void ResetFlux();
 
   ElementTree TheTree;
+  const OccluderScene* Occluders;
   std::vector<PatchOptics> Optics;
   PairEvaluator Evaluator;
   Refiner TheRefiner;
+  RadiancePrediction Prediction;
+  std::vector<double> Predicted; ///< of each patch
   InteractionGraph TheGraph;
-  HierarchicalField ReceivedRadiance;
-  HierarchicalField ReceivedImportances;
+  HierarchicalField RadianceField;   ///< irradiance received; reflected by weight times BRDF
+  HierarchicalField ImportanceField; ///< P - V
   ViewWeights View;
+  std::vector<double> WeightedView;    ///< of each node: mean of closure factor times V
+  std::vector<PatchId> VisiblePatches; ///< that the eye sees and are not expanded; next at the back
   bool IsViewSet = false;
   std::vector<char> Expanded; ///< of each patch: all its interactions exist
   Color FluxEstimate{ 0.0 };
   Color FluxReceived{ 0.0 };
   double TotalEmittedPower = 0.0;
-  double StrongestEmitterPower = 0.0;
   double AreaOfAll = 0.0;
   double AlbedoOfAll = 0.0;
   TransportCounters Counts;
 };
+
+/// total - shot, where total >= shot but for round-off. A difference of a few roundings is nothing
+/// at all, or it would be shot for ever.
+Color UnshotPart(const Color& total, const Color& shot);
 
 } // namespace vantage

@@ -1,0 +1,232 @@
+#include "core/Solver.h"
+#include "core/scene/Labyrinth.h"
+#include "support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage
+{
+namespace
+{
+
+SolverSettings CoarseSettings(Method method)
+{
+  SolverSettings settings;
+  settings.method = method;
+  settings.refinement.minimumElementSize = 0.3;
+  settings.viewRays = 4096;
+  return settings;
+}
+
+Solver MakeSolver(const Scene& scene, Method method)
+{
+  Solver solver(scene, CoarseSettings(method));
+  solver.SetCamera(scene.cameras[0]);
+  return solver;
+}
+
+Budget Steps(std::uint64_t steps)
+{
+  Budget budget;
+  budget.steps = steps;
+  return budget;
+}
+
+Budget Error(double error)
+{
+  Budget budget;
+  budget.error = error;
+  return budget;
+}
+
+TEST(Session, TwoRunsContinueAsOneWouldHaveGone)
+{
+  const Scene scene = test::MakeLitBox();
+  for (const std::string& name : MethodNames())
+  {
+    SCOPED_TRACE(name);
+    Solver whole = MakeSolver(scene, MethodFromName(name));
+    whole.Run(Steps(30));
+    Solver parts = MakeSolver(scene, MethodFromName(name));
+    EXPECT_EQ(parts.Run(Steps(11)), RunEnd::Budget);
+    parts.Run(Steps(19));
+    ASSERT_EQ(whole.History().size(), parts.History().size());
+    EXPECT_EQ(whole.History().back().evaluations, parts.History().back().evaluations);
+    EXPECT_EQ(whole.Elements().radiance, parts.Elements().radiance);
+  }
+}
+
+TEST(Session, CancellingKeepsWhatIsDone)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver whole = MakeSolver(scene, Method::ProgressiveShooting);
+  whole.Run(Steps(20));
+  const std::size_t length = whole.History().size();
+  for (std::size_t stopAt = 1; stopAt < length; ++stopAt)
+  {
+    Solver stopped = MakeSolver(scene, Method::ProgressiveShooting);
+    std::size_t seen = 0;
+    EXPECT_EQ(stopped.Run(Steps(20), [&](const StepReport&) { return ++seen < stopAt; }),
+      RunEnd::Cancelled);
+    EXPECT_EQ(stopped.History().size(), stopAt);
+    stopped.Run(Steps(20 - stopped.History().back().step));
+    EXPECT_EQ(whole.Elements().radiance, stopped.Elements().radiance);
+  }
+}
+
+TEST(Session, ACameraMoveKeepsRadianceAndInteractions)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver solver = MakeSolver(scene, Method::ImportanceShooting);
+  solver.Run(Error(1e-3));
+  const auto radiance = solver.Elements().radiance;
+  const auto before = solver.History().back();
+  Camera other = scene.cameras[0];
+  std::swap(other.eye.x, other.lookAt.x);
+  solver.SetCamera(other);
+  EXPECT_EQ(solver.Elements().radiance, radiance);
+  solver.Run(Steps(1));
+  EXPECT_EQ(solver.History().back().interactions, before.interactions);
+  EXPECT_EQ(solver.History().back().evaluations, before.evaluations);
+
+  // What it converges to is what a fresh solver finds on interactions of its own, up to the
+  // tolerances of refinement.
+  solver.Run(Error(1e-6));
+  Solver fresh(scene, CoarseSettings(Method::ImportanceShooting));
+  fresh.SetCamera(other);
+  fresh.Run(Error(1e-6));
+  EXPECT_NEAR(Mean(solver.ViewFluxOfRadiance()) / Mean(fresh.ViewFluxOfRadiance()), 1.0, 0.01);
+}
+
+TEST(Session, NewMaterialsKeepInteractions)
+{
+  const Scene scene = test::MakeLitBox();
+  SolverSettings settings = CoarseSettings(Method::ProgressiveShooting);
+  settings.refinement.oracle = RefinementOracle::F;
+  Solver solver(scene, settings);
+  solver.Run(Error(1e-10));
+  const StepReport before = solver.History().back();
+
+  Scene changed = scene;
+  for (Material& material : changed.materials)
+  {
+    material.albedo *= 0.5;
+    material.emission *= 3.0;
+  }
+  solver.SetMaterials(changed.materials);
+  solver.Run(Error(1e-10));
+  EXPECT_EQ(solver.History().back().interactions, before.interactions);
+  EXPECT_EQ(solver.History().back().evaluations, before.evaluations);
+
+  Solver fresh(changed, settings);
+  fresh.Run(Error(1e-10));
+  const auto expected = fresh.Elements().radiance;
+  const auto found = solver.Elements().radiance;
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    // Both are within 1e-10 of the emitted power of the same solution.
+    ASSERT_NEAR(Mean(found[i]), Mean(expected[i]), 1e-7);
+  }
+}
+
+TEST(Session, ShootingNeedsACameraOnlyForImportance)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver importance(scene, CoarseSettings(Method::ImportanceShooting));
+  EXPECT_THROW(importance.Run(Steps(1)), InputError);
+  Solver progressive(scene, CoarseSettings(Method::ProgressiveShooting));
+  EXPECT_EQ(progressive.Run(Steps(1)), RunEnd::Budget);
+}
+
+TEST(Session, BadValuesAreRefused)
+{
+  const Scene scene = test::MakeLitBox();
+  SolverSettings settings;
+  settings.visibilityRays = 0;
+  EXPECT_THROW(Solver(scene, settings), InputError);
+  settings = SolverSettings();
+  settings.viewRays = 0;
+  EXPECT_THROW(Solver(scene, settings), InputError);
+  settings = SolverSettings();
+  settings.method = Method::GaussSeidel;
+  settings.granularity = Granularity::Interaction;
+  EXPECT_THROW(Solver(scene, settings), InputError);
+  settings = SolverSettings();
+  settings.refinement.formFactorTolerance = 0.0;
+  EXPECT_THROW(Solver(scene, settings), InputError);
+  Solver solver = MakeSolver(scene, Method::ProgressiveShooting);
+  EXPECT_THROW(solver.Run(Error(-0.1)), InputError);
+  EXPECT_THROW(solver.Run(Error(NAN)), InputError);
+  Budget budget;
+  budget.seconds = 0.0;
+  EXPECT_THROW(solver.Run(budget), InputError);
+  EXPECT_THROW(solver.SetMaterials({}), InputError);
+  EXPECT_THROW(MethodFromName("fast"), UnknownNameError);
+  EXPECT_THROW(GranularityFromName("room"), UnknownNameError);
+  EXPECT_THROW(RefinementOracleFromName("BFV"), UnknownNameError);
+}
+
+TEST(Session, UnusualScenesAreToldApartByWarnings)
+{
+  Scene dark = test::MakeFurnace(Color(0.5), Color(0.0));
+  Solver solver = MakeSolver(dark, Method::ImportanceShooting);
+  EXPECT_EQ(solver.Run(), RunEnd::Converged);
+  ASSERT_EQ(solver.Warnings().size(), 1u);
+  EXPECT_NE(solver.Warnings()[0].find("emits"), std::string::npos);
+  for (const Color& radiance : solver.Elements().radiance)
+  {
+    EXPECT_EQ(radiance, Color(0.0));
+  }
+
+  const Scene lit = test::MakeLitBox();
+  Solver buried(lit, CoarseSettings(Method::ImportanceShooting));
+  Camera camera = lit.cameras[0];
+  camera.eye = Vec3(0.7, 0.6, 0.2);
+  camera.lookAt = Vec3(0.7, 0.7, 0.2);
+  buried.SetCamera(camera);
+  buried.Run();
+  ASSERT_EQ(buried.Warnings().size(), 1u);
+  EXPECT_NE(buried.Warnings()[0].find("camera"), std::string::npos);
+}
+
+TEST(Session, TheFluxNeverFallsAndNeverExceedsTheConvergedOne)
+{
+  LabyrinthSettings size;
+  size.rows = 1;
+  size.columns = 3;
+  const Scene scene = MakeLabyrinth(size);
+  for (const Granularity granularity : { Granularity::Patch, Granularity::Interaction })
+  {
+    SolverSettings settings;
+    settings.granularity = granularity;
+    settings.refinement.oracle = RefinementOracle::F;
+    settings.refinement.formFactorTolerance = 0.3;
+    Solver solver(scene, settings);
+    solver.SetCamera(scene.FindCamera("view1"));
+    Budget budget = Error(granularity == Granularity::Patch ? 0.0 : 1e-4);
+    solver.Run(budget);
+    const double converged = Mean(solver.ViewFluxOfRadiance());
+    double last = 0.0;
+    for (const StepReport& report : solver.History())
+    {
+      // Round-off of a sum of some 1e5 terms.
+      ASSERT_GE(report.viewFlux, last * (1.0 - 1e-12)) << "step " << report.step;
+      ASSERT_LE(
+        report.viewFlux, converged * (granularity == Granularity::Patch ? 1.0 + 1e-10 : 1.01))
+        << "step " << report.step;
+      last = report.viewFlux;
+    }
+    if (granularity == Granularity::Patch)
+    {
+      EXPECT_NEAR(Mean(solver.ViewFluxOfImportance()) / converged, 1.0, 1e-9);
+      EXPECT_NEAR(last / converged, 1.0, 1e-9);
+    }
+  }
+}
+
+} // namespace
+} // namespace vantage

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+
+#include <array>
+
+/// \file TestScenes.h
+/// Small scenes that several tests share.
+
+namespace vantage::test
+{
+
+/// Appends the six faces of an axis-aligned box, fronts inwards or outwards:
+/// floor, ceiling, then the walls at low x, high x, low y, high y.
+inline void AddBox(Scene& scene, const Vec3& low, const Vec3& high, bool facesInwards,
+  const std::array<std::uint32_t, 6>& materials)
+{
+  const auto corner = [&](int i)
+  { return Vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z); };
+  // Counter-clockwise from inside.
+  constexpr int Faces[6][4] = { { 0, 1, 3, 2 }, { 4, 6, 7, 5 }, { 0, 2, 6, 4 }, { 1, 5, 7, 3 },
+    { 0, 4, 5, 1 }, { 2, 3, 7, 6 } };
+  for (int f = 0; f < 6; ++f)
+  {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 4; ++k)
+    {
+      points.push_back(corner(Faces[f][facesInwards ? k : 3 - k]));
+    }
+    scene.AddPolygon(points, materials[f]);
+  }
+}
+
+inline Material MakeMaterial(
+  const Color& albedo, const Color& emission = Color(0.0), bool twoSided = false)
+{
+  Material material;
+  material.name = "m";
+  material.albedo = albedo;
+  material.emission = emission;
+  material.twoSided = twoSided;
+  return material;
+}
+
+/// A camera inside the unit box that sees floor and walls.
+inline Camera InsideCamera()
+{
+  Camera camera;
+  camera.name = "inside";
+  camera.eye = Vec3(0.2, 0.3, 0.8);
+  camera.lookAt = Vec3(0.7, 0.6, 0.1);
+  camera.up = Vec3(0.0, 0.0, 1.0);
+  camera.fieldOfView = 60.0;
+  return camera;
+}
+
+/// Closed unit box in which everything has one albedo and emits one radiance: the furnace, where
+/// radiance is emission / (1 - albedo) everywhere.
+inline Scene MakeFurnace(const Color& albedo, const Color& emission = Color(1.0))
+{
+  Scene scene;
+  scene.materials.push_back(MakeMaterial(albedo, emission));
+  AddBox(scene, Vec3(0.0), Vec3(1.0), true, { 0, 0, 0, 0, 0, 0 });
+  scene.cameras.push_back(InsideCamera());
+  return scene;
+}
+
+/// Closed unit box with coloured walls, a lamp below the ceiling and a block on the floor: direct
+/// and indirect light, shadows, both sides of the lamp.
+inline Scene MakeLitBox()
+{
+  Scene scene;
+  scene.materials = { MakeMaterial(Color(0.7)), MakeMaterial(Color(0.6, 0.2, 0.1)),
+    MakeMaterial(Color(0.1, 0.5, 0.2)), MakeMaterial(Color(0.3), Color(30.0, 25.0, 20.0), true),
+    MakeMaterial(Color(0.5)) };
+  AddBox(scene, Vec3(0.0), Vec3(1.0), true, { 0, 0, 1, 2, 0, 0 });
+  AddBox(scene, Vec3(0.55, 0.5, 0.0), Vec3(0.85, 0.8, 0.4), false, { 4, 4, 4, 4, 4, 4 });
+  scene.AddPolygon(
+    { Vec3(0.4, 0.4, 0.95), Vec3(0.4, 0.6, 0.95), Vec3(0.6, 0.6, 0.95), Vec3(0.6, 0.4, 0.95) }, 3);
+  scene.cameras.push_back(InsideCamera());
+  return scene;
+}
+
+} // namespace vantage::test
