@@ -1,11 +1,13 @@
 #pragma once
 
-#include "core/math/Types.h"
+#include "core/math/Sampling.h"
 
+#include <array>
 #include <cstdint>
 
 /// \file ScrambledSobol.h
-/// Well spread points of the unit square, as many as are asked for, independent for each seed.
+/// Well spread points of the unit square and of the unit cube of four dimensions, as many as are
+/// asked for, independent for each seed.
 
 namespace vantage
 {
@@ -51,6 +53,51 @@ inline Vec2 ScrambledSobol(std::uint32_t index, std::uint64_t seed)
   const std::uint32_t x = OwenScramble(ReverseBits(shuffled), high);
   const std::uint32_t y = OwenScramble(second, low ^ (high * 0x9e3779b9u));
   return { x * 0x1.0p-32, y * 0x1.0p-32 };
+}
+
+/// Direction numbers of the first four dimensions of Sobol's sequence: primitive polynomials 1,
+/// x + 1, x^2 + x + 1, x^3 + x + 1 and the initial numbers of Joe and Kuo (2008).
+inline constexpr std::array<std::array<std::uint32_t, 32>, 4> SobolDirections = []
+{
+  std::array<std::array<std::uint32_t, 32>, 4> v{};
+  constexpr int Degree[4] = { 0, 1, 2, 3 };
+  constexpr std::uint32_t Coefficients[4] = { 0, 0, 1, 1 };
+  constexpr std::uint32_t Initial[4][3] = { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 3, 1 }, { 1, 3, 1 } };
+  for (int d = 0; d < 4; ++d)
+  {
+    const int s = Degree[d];
+    for (int k = 0; k < 32; ++k)
+    {
+      if (d == 0 || k < s)
+      {
+        v[d][k] = (d == 0 ? 1u : Initial[d][k]) << (31 - k);
+        continue;
+      }
+      v[d][k] = v[d][k - s] ^ (v[d][k - s] >> s);
+      for (int i = 1; i < s; ++i)
+      {
+        v[d][k] ^= ((Coefficients[d] >> (s - 1 - i)) & 1u) * v[d][k - i];
+      }
+    }
+  }
+  return v;
+}();
+
+/// Point `index` of the first four dimensions of Sobol's sequence, digits scrambled by the seed. In
+/// each coordinate the first 2^k points have one in each of 2^k equal parts.
+inline std::array<double, 4> ScrambledSobol4(std::uint32_t index, std::uint64_t seed)
+{
+  std::array<double, 4> point{};
+  for (std::uint64_t d = 0; d < 4; ++d)
+  {
+    std::uint32_t x = 0;
+    for (int k = 0; index >> k != 0; ++k)
+    {
+      x ^= ((index >> k) & 1u) * SobolDirections[d][k];
+    }
+    point[d] = OwenScramble(x, static_cast<std::uint32_t>(Hash(seed, d))) * 0x1.0p-32;
+  }
+  return point;
 }
 
 } // namespace vantage

@@ -283,8 +283,56 @@ std::vector<Facet> ResolveCoincident(
   return facets;
 }
 
-/// Sorts by centroid. Facets in different places with the same centroid stay in the order they
-/// have, which is one of geometry, too.
+/// A frame that moves with the scene: axes along moments of its area, so that coordinates in it do
+/// not depend on how the scene is placed. A scene whose moments vanish by symmetry gets some frame.
+struct MovingFrame
+{
+  Vec3 origin{ 0.0 };
+  std::array<Vec3, 3> axes;
+
+  MovingFrame(const std::vector<Facet>& facets, const std::vector<Vec3>& centroids)
+  {
+    const auto sum = [&](auto&& term)
+    {
+      Vec3 total(0.0);
+      for (std::size_t f = 0; f < facets.size(); ++f)
+      {
+        total += Area(facets[f].shape) * term(centroids[f] - this->origin);
+      }
+      return total;
+    };
+    double area = 0.0;
+    for (const Facet& facet : facets)
+    {
+      area += Area(facet.shape);
+    }
+    this->origin = centroids.front();
+    this->origin += sum([](const Vec3& r) { return r; }) / area;
+    const Vec3 skew = sum([](const Vec3& r) { return glm::dot(r, r) * r; });
+    this->axes[0] = Direction(skew, Vec3(1.0, 0.0, 0.0));
+    const Vec3 spread = sum([this](const Vec3& r) { return glm::dot(r, this->axes[0]) * r; });
+    const Frame any(this->axes[0]);
+    this->axes[1] = Direction(spread - glm::dot(spread, this->axes[0]) * this->axes[0], any.x);
+    this->axes[2] = glm::cross(this->axes[0], this->axes[1]);
+  }
+
+  Vec3 Coordinates(const Vec3& x) const
+  {
+    const Vec3 r = x - this->origin;
+    return { glm::dot(r, this->axes[0]), glm::dot(r, this->axes[1]), glm::dot(r, this->axes[2]) };
+  }
+
+private:
+  static Vec3 Direction(const Vec3& v, const Vec3& otherwise)
+  {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : otherwise;
+  }
+};
+
+/// Sorts by centroid, in a frame of the scene's own: a moved or turned scene has its facets, and
+/// all that is made of them, in the same order. Facets in different places with the same centroid
+/// stay in the order they have, which is one of geometry, too.
 std::vector<Facet> SortByPlace(const std::vector<Facet>& facets)
 {
   std::vector<Vec3> centroids;
@@ -292,6 +340,11 @@ std::vector<Facet> SortByPlace(const std::vector<Facet>& facets)
   for (const Facet& facet : facets)
   {
     centroids.push_back(Centroid(facet.shape));
+  }
+  const MovingFrame frame(facets, centroids);
+  for (Vec3& centroid : centroids)
+  {
+    centroid = frame.Coordinates(centroid);
   }
   std::vector<std::uint32_t> order(facets.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -58,9 +58,10 @@ struct FacetReport
 };
 
 /// Facets in an order that depends on geometry only, not on the order of the scene's polygons or
-/// vertices: all that follows is the same to the bit however they were shuffled (only the numbers
-/// of the scene polygons are others). The first corner of a triangle or convex quadrilateral is
-/// the first that its polygon has.
+/// vertices, nor on where the scene is and how it is turned (unless it is symmetric): all that
+/// follows is the same to the bit however they were shuffled (only the numbers of the scene
+/// polygons are others). The first corner of a triangle or convex quadrilateral is the first that
+/// its polygon has.
 struct FacetSet
 {
   std::vector<Facet> facets;

@@ -34,23 +34,27 @@ struct PathTracerSettings
 struct PathTracerReport
 {
   std::uint64_t rays = 0;
-  int samplesPerPixel = 0;          ///< that were finished
-  double relativeNoise = 0.0;       ///< standard error of the mean pixel, relative L1 of the image
+  int samplesPerPixel = 0;    ///< that were finished
+  double relativeNoise = 0.0; ///< sum of the standard errors of the pixels over the sum of the
+                              ///< pixels, mean of channels; an upper estimate, as it does not know
+                              ///< of the stratification. Infinite after a single pass
   double seconds = 0.0;
 };
 
-/// Radiance that leaves a point of a patch without its own emission, taken from elsewhere. Where it
-/// is given, paths end at their first bounce and look it up: a final gather.
+/// Radiance that leaves the side of the facet that was hit, without its own emission, taken from
+/// elsewhere. Where it is given, paths end at their first bounce and look it up: a final gather.
+/// Called from many threads.
 using RadianceLookup = std::function<Color(const Hit&)>;
 
 /// Called after each pass with the fraction done; returns false to stop.
 using PathTracerProgress = std::function<bool(double)>;
 
-/// Diffuse surfaces, both sides, emission from front sides. At every vertex direct light by
-/// next-event estimation: the lamp is chosen in proportion to a bound of its contribution at the
-/// point (power, distance and cosines), the point on it uniformly by area; then a
-/// cosine-distributed bounce; emission met by a bounce is not counted again. Passes of one sample
-/// for each pixel; the result is the same for any number of threads.
+/// Diffuse surfaces (specular parts of materials are left out), both sides unless the material is
+/// one-sided, emission from front sides. At every vertex direct light by next-event estimation: the
+/// lamp is chosen by power, distance and cosines (LampTree), the point on it by area; then a
+/// cosine-distributed bounce; emission met by a bounce is not counted again. Russian roulette ends
+/// paths by their throughput. Passes of one sample for each pixel; after each pass the image is
+/// unbiased. The result is the same for any number of threads.
 class PathTracer
 {
 public:

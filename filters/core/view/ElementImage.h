@@ -16,11 +16,11 @@ namespace vantage
 
 struct ElementImageSettings
 {
-  int width = 512;         ///< pixels, >= 1
-  int height = 512;        ///< pixels, >= 1
-  int samplesPerPixel = 4; ///< stratified over the pixel, >= 1
+  int width = 512;           ///< pixels, >= 1
+  int height = 512;          ///< pixels, >= 1
+  int samplesPerPixel = 4;   ///< stratified over the pixel, >= 1
   bool pixelCentres = false; ///< one ray through the centre of each pixel (no antialiasing)
-  bool flat = false;       ///< one radiance an element, without interpolation
+  bool flat = false;         ///< one radiance an element, without interpolation
   std::uint64_t seed = 1;
 
   /// \throw InputError naming the first value out of range.
@@ -32,8 +32,8 @@ struct ElementImageSettings
 /// element's polygon: continuous across elements of different levels. Black where a ray meets
 /// nothing or the back of a one-sided facet. Parallel over rows, deterministic.
 Image RenderElements(const OccluderScene& occluders, const ElementTree& tree,
-  const ElementSurface& surface, const std::vector<Color>& radianceOfPolygon,
-  const Camera& camera, const ElementImageSettings& settings);
+  const ElementSurface& surface, const std::vector<Color>& radianceOfPolygon, const Camera& camera,
+  const ElementImageSettings& settings);
 
 /// Interpolated radiance at points of a surface.
 class SurfaceInterpolator

@@ -2,6 +2,7 @@
 
 #include "core/mesh/ElementTree.h"
 #include "core/scene/Camera.h"
+#include "core/transport/ViewWeights.h"
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
@@ -13,18 +14,11 @@
 namespace vantage
 {
 
-/// A piece of the image that sees one point of one patch. The weights of the samples on an element,
-/// summed and divided by its area, are its V: (1/A) integral over A of cos cos_eye / r^2 vis dA.
-struct ViewSample
-{
-  PatchId patch;
-  Vec3 point;
-  double weight; ///< cos_eye d omega, sr
-};
-
-/// Casts about `rays` stratified rays through the image plane, uniformly over it; cos_eye is taken
+/// Casts about `rays` (at least 1) rays, one through each cell of a grid of nearly square cells
+/// over the image plane, at a place in the cell that is a hash of the seed; cos_eye is taken
 /// against the line of sight, d omega = cos_eye^3 times the area at distance 1. Rays that meet
-/// nothing, or the back of a one-sided facet, give no sample. O(rays log n), deterministic.
+/// nothing, or an inactive patch (the back of a one-sided facet), give no sample.
+/// From the bottom row of the image to the top. O(rays log n), deterministic.
 std::vector<ViewSample> SampleView(const OccluderScene& occluders, const ElementTree& tree,
   const Camera& camera, std::uint32_t rays, std::uint64_t seed);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/ElementTree.h"
+#include "core/visibility/ConvexRegion.h"
 
 #include <cstdint>
 #include <memory>
@@ -31,9 +32,12 @@ struct SurfacePoint
   std::uint32_t facet;
 };
 
-/// All facets as occluders, each once, both sides opaque. Embree works in single precision, so the
-/// scene is moved to the origin and scaled to unit size first: results are the same in millimetres
-/// and kilometres, near and far from the origin. Safe to query from many threads.
+/// All facets as occluders, each once, both sides opaque. Embree finds the candidates in single
+/// precision, in a scene that was moved to the origin, scaled to unit size and grown by the
+/// rounding of a ray; each candidate is then decided in double precision. So results do not depend
+/// on the units of the scene, walls without thickness do not leak, and the only tolerance left is
+/// Tolerance(): what lies nearer to a facet's plane is on it.
+/// Safe to query from many threads; results do not depend on their number.
 class OccluderScene
 {
 public:
@@ -43,18 +47,38 @@ public:
   OccluderScene(OccluderScene&&) noexcept;
   OccluderScene& operator=(OccluderScene&&) noexcept;
 
-  /// Whether a facet other than the two at the ends cuts the open segment between the points. The
-  /// facets at the ends are flat and never hide their own points; facets coplanar with an end and
-  /// touching it do not hide it either (relative offset of a few float roundings of the scene).
+  /// Whether a facet other than the two at the ends cuts the open segment between the points. A
+  /// facet cuts it when the points lie on different sides of its plane, both further away than the
+  /// tolerance: so facets coplanar with an end, or touching it, do not hide it.
   bool IsOccluded(const SurfacePoint& from, const SurfacePoint& to) const;
 
+  /// The first facet from `from` that does so, if any.
+  std::optional<std::uint32_t> FirstOccluder(
+    const SurfacePoint& from, const SurfacePoint& to) const;
+
   /// First facet along origin + t * direction, t > 0, other than `ignore` (the facet the ray
-  /// leaves from, or None).
+  /// leaves from, or None) and other than facets the origin lies on. The origin may lie anywhere,
+  /// also far outside of the scene; the direction needs no unit length.
   std::optional<Hit> Intersect(
     const Vec3& origin, const Vec3& direction, std::uint32_t ignore = None) const;
 
-  /// Facets whose shape reaches into the axis-aligned box.
+  /// Facets whose shape reaches into the axis-aligned box or touches it, in ascending order.
+  /// O(log n + found).
   std::vector<std::uint32_t> FacetsInBox(const Vec3& low, const Vec3& high) const;
+
+  /// Facets that reach into a region; touching it is not enough. In ascending order.
+  std::vector<std::uint32_t> FacetsInRegion(const ConvexRegion& region) const;
+
+  /// True when no facet reaches into the region and the proof needs to look at no more than
+  /// `effort` facets and boxes of facets.
+  bool IsProvablyEmpty(const ConvexRegion& region, int effort) const;
+
+  std::uint32_t FacetCount() const;
+  const Polygon& Shape(std::uint32_t facet) const;
+
+  /// Length below which two things touch, in scene units: 1e-9 of the scene's diagonal plus the
+  /// rounding of its coordinates (which counts when the scene lies far from the origin).
+  double Tolerance() const;
 
 private:
   struct Implementation;

@@ -224,8 +224,12 @@ TEST(Facets, WeldingIsRelativeToTheScene)
     }
     const FacetSet facets = BuildFacets(scene);
     EXPECT_EQ(facets.report.weldedVertices, 2u);
-    EXPECT_EQ(facets.facets[0].shape[1], facets.facets[1].shape[0]);
-    EXPECT_EQ(facets.facets[0].shape[2], facets.facets[1].shape[3]);
+    ASSERT_EQ(facets.facets.size(), 2u);
+    const bool isFirst = facets.facets[0].scenePolygon == 0;
+    const Polygon& left = facets.facets[isFirst ? 0 : 1].shape;
+    const Polygon& right = facets.facets[isFirst ? 1 : 0].shape;
+    EXPECT_EQ(left[1], right[0]);
+    EXPECT_EQ(left[2], right[3]);
   }
 }
 
