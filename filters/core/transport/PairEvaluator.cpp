@@ -69,12 +69,11 @@ PairValue PairEvaluator::Evaluate(const ElementTree& tree, const ElementPair& pa
   else
   {
     // A symmetric function of the two paths keeps the rays the same for either order of the ends.
-    const std::uint64_t shift =
-      PathBelowPatch(tree, pair.first) + PathBelowPatch(tree, pair.second);
+    const std::uint64_t seed = PathBelowPatch(tree, pair.first) + PathBelowPatch(tree, pair.second);
     const PairVisibility seen =
       EstimateVisibility(*this->Occluders, { first, tree.PatchOfNode(pair.first).facet },
         { second, tree.PatchOfNode(pair.second).facet },
-        pair.isRoot ? 4 * this->VisibilityRays : this->VisibilityRays, shift);
+        pair.isRoot ? 4 * this->VisibilityRays : this->VisibilityRays, seed);
     value.visibility = seen.fraction;
     value.rays = seen.rays;
     const bool isUnanimous = seen.fraction == 0.0 || seen.fraction == 1.0;

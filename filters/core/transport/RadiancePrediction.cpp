@@ -71,9 +71,9 @@ double RadiancePrediction::DirectIrradiance(PatchId patch, const Vec3& point) co
     const Patch& lamp = this->Tree->Patches()[emitter.patch];
     const Node& node = (*this->Tree)[lamp.node];
     // A cheap bound first: with many lamps, most are far away.
-    const Vec3 way = node.centre - point;
-    const double nearest = std::max(0.0, glm::length(way) - node.radius);
-    if (emitter.radiance * node.area < NegligiblePart * Pi * this->Ambient * nearest * nearest)
+    const double nearest = std::max(0.0, glm::length(node.centre - point) - node.radius);
+    if (lamp.facet == self.facet ||
+        emitter.radiance * node.area < NegligiblePart * Pi * this->Ambient * nearest * nearest)
     {
       continue;
     }

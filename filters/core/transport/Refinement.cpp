@@ -11,6 +11,9 @@ namespace vantage
 namespace
 {
 
+/// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
+constexpr double SameSize = 1e-6;
+
 void RequireRange(const std::string& name, double value, bool isInside, const std::string& range)
 {
   if (!isInside)
@@ -78,24 +81,20 @@ Refiner::Refiner(const RefinementSettings& settings, double meanFacetArea)
 {
 }
 
-std::optional<int> Refiner::EndToSplit(const ElementTree& tree, const RefinementQuery& query) const
+SplitChoice Refiner::Choose(const ElementTree& tree, const RefinementQuery& query) const
 {
   if (!this->IsTooCoarse(tree, query))
   {
-    return std::nullopt;
+    return {};
   }
   const Node& first = tree[query.first];
   const Node& second = tree[query.second];
-  const int larger = second.area > first.area ? 1 : 0;
-  if (this->MaySplit(larger == 0 ? first : second))
+  const SplitChoice may{ this->MaySplit(first), this->MaySplit(second) };
+  if (!may.first || !may.second || std::abs(first.area - second.area) <= SameSize * first.area)
   {
-    return larger;
+    return may;
   }
-  if (this->MaySplit(larger == 0 ? second : first))
-  {
-    return 1 - larger;
-  }
-  return std::nullopt;
+  return { first.area > second.area, second.area > first.area };
 }
 
 bool Refiner::IsTooCoarse(const ElementTree& tree, const RefinementQuery& query) const

@@ -2,7 +2,6 @@
 
 #include "core/mesh/ElementTree.h"
 
-#include <optional>
 #include <string>
 
 /// \file Refinement.h
@@ -55,6 +54,15 @@ struct RefinementQuery
   bool isDirect;        ///< an end emits
 };
 
+/// Which ends of a pair to split.
+struct SplitChoice
+{
+  bool first = false;
+  bool second = false;
+
+  bool Any() const { return this->first || this->second; }
+};
+
 /// Decides whether an interaction is refined, and which end is split for it.
 class Refiner
 {
@@ -62,9 +70,10 @@ public:
   /// `meanFacetArea` is what RefinementSettings::minimumElementSize refers to.
   Refiner(const RefinementSettings& settings, double meanFacetArea);
 
-  /// The end (0 or 1) to split: the larger one, or the other when that may not be split any
-  /// more; nothing when the interaction is fine enough or neither may be split.
-  std::optional<int> EndToSplit(const ElementTree& tree, const RefinementQuery& query) const;
+  /// Neither end when the interaction is fine enough or none may be split any more; else the
+  /// larger one that may be. Ends of the same size are split both, or the choice would depend on
+  /// their numbering.
+  SplitChoice Choose(const ElementTree& tree, const RefinementQuery& query) const;
 
 private:
   bool IsTooCoarse(const ElementTree& tree, const RefinementQuery& query) const;

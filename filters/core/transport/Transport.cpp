@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace vantage
@@ -101,9 +102,9 @@ void Transport::Expand(PatchId patch, std::uint32_t step)
       {
         continue;
       }
-      if (const auto splitEnd = this->EndToSplit(candidate))
+      if (const SplitChoice choice = this->ChooseSplit(candidate); choice.Any())
       {
-        const std::vector<Candidate> children = this->Refine(candidate, *splitEnd);
+        const std::vector<Candidate> children = this->Refine(candidate, choice);
         finer.insert(finer.end(), children.begin(), children.end());
       }
       else
@@ -307,20 +308,33 @@ std::vector<Transport::Candidate> Transport::RootCandidates(PatchId patch)
   return candidates;
 }
 
-std::vector<Transport::Candidate> Transport::Refine(const Candidate& coarse, int splitEnd)
+std::vector<Transport::Candidate> Transport::Refine(const Candidate& coarse, SplitChoice choice)
 {
-  const NodeId node = splitEnd == 0 ? coarse.pair.first : coarse.pair.second;
-  this->SplitNode(node);
-  const NodeId firstChild = this->TheTree[node].firstChild;
-  std::vector<Candidate> children(this->TheTree[node].childCount);
-  for (NodeId c = 0; c < children.size(); ++c)
+  std::vector<Candidate> finer;
+  for (const NodeId first : this->Parts(coarse.pair.first, choice.first))
   {
-    ElementPair& pair = children[c].pair;
-    pair.first = splitEnd == 0 ? firstChild + c : coarse.pair.first;
-    pair.second = splitEnd == 1 ? firstChild + c : coarse.pair.second;
-    pair.parentVisibility = coarse.value.visibility;
-    pair.parentAgreeingRays = coarse.value.agreeingRays;
+    for (const NodeId second : this->Parts(coarse.pair.second, choice.second))
+    {
+      Candidate candidate;
+      candidate.pair.first = first;
+      candidate.pair.second = second;
+      candidate.pair.parentVisibility = coarse.value.visibility;
+      candidate.pair.parentAgreeingRays = coarse.value.agreeingRays;
+      finer.push_back(candidate);
+    }
   }
+  return finer;
+}
+
+std::vector<NodeId> Transport::Parts(NodeId node, bool isSplit)
+{
+  if (!isSplit)
+  {
+    return { node };
+  }
+  this->SplitNode(node);
+  std::vector<NodeId> children(this->TheTree[node].childCount);
+  std::iota(children.begin(), children.end(), this->TheTree[node].firstChild);
   return children;
 }
 
@@ -336,7 +350,7 @@ void Transport::Evaluate(std::vector<Candidate>& candidates)
   }
 }
 
-std::optional<int> Transport::EndToSplit(const Candidate& candidate)
+SplitChoice Transport::ChooseSplit(const Candidate& candidate)
 {
   const PatchId first = this->TheTree[candidate.pair.first].patch;
   const PatchId second = this->TheTree[candidate.pair.second].patch;
@@ -350,7 +364,7 @@ std::optional<int> Transport::EndToSplit(const Candidate& candidate)
   query.relativePower = strongest > 0.0 ? radiance * query.throughput / strongest : 0.0;
   query.isDirect = MaxChannel(this->Optics[first].emission) > 0.0 ||
                    MaxChannel(this->Optics[second].emission) > 0.0;
-  return this->TheRefiner.EndToSplit(this->TheTree, query);
+  return this->TheRefiner.Choose(this->TheTree, query);
 }
 
 double Transport::PredictedRadiance(PatchId patch)

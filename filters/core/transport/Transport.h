@@ -9,7 +9,6 @@
 #include "core/transport/ViewWeights.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 /// \file Transport.h
@@ -133,9 +132,10 @@ private:
   Color Brdf(NodeId node) const;
   std::vector<NodeId> PatchesInFrontOf(PatchId patch) const;
   std::vector<Candidate> RootCandidates(PatchId patch);
-  std::vector<Candidate> Refine(const Candidate& coarse, int splitEnd);
+  std::vector<Candidate> Refine(const Candidate& coarse, SplitChoice choice);
   void Evaluate(std::vector<Candidate>& candidates);
-  std::optional<int> EndToSplit(const Candidate& candidate);
+  SplitChoice ChooseSplit(const Candidate& candidate);
+  std::vector<NodeId> Parts(NodeId node, bool isSplit);
   double PredictedRadiance(PatchId patch);
   void SplitNode(NodeId node);
   void AddInteraction(const Candidate& candidate, std::uint32_t step);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace vantage
 {
@@ -18,6 +19,12 @@ struct FurnaceCase
   Accuracy accuracy;
   double tolerance; ///< relative, on every element
 };
+
+void PrintTo(const FurnaceCase& furnace, std::ostream* out)
+{
+  *out << "albedo " << furnace.albedo
+       << (furnace.accuracy == Accuracy::Default ? ", default" : ", reference");
+}
 
 class Furnace : public testing::TestWithParam<FurnaceCase>
 {

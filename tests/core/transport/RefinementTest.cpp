@@ -43,12 +43,12 @@ TEST_F(RefinerOfBox, FormFactorOracleLooksAtGeometryOnly)
   RefinementSettings settings;
   settings.oracle = RefinementOracle::F;
   settings.formFactorTolerance = 0.19;
-  EXPECT_TRUE(Refiner(settings, 1.0).EndToSplit(this->Tree, this->Query(0.0, 1.0, false)));
+  EXPECT_TRUE(Refiner(settings, 1.0).Choose(this->Tree, this->Query(0.0, 1.0, false)).Any());
   settings.formFactorTolerance = 0.21;
-  EXPECT_FALSE(Refiner(settings, 1.0).EndToSplit(this->Tree, this->Query(1.0, 1.0, true)));
+  EXPECT_FALSE(Refiner(settings, 1.0).Choose(this->Tree, this->Query(1.0, 1.0, true)).Any());
   // Partly hidden, the kernel still varies over the whole end.
   settings.formFactorTolerance = 0.19;
-  EXPECT_TRUE(Refiner(settings, 1.0).EndToSplit(this->Tree, this->Query(0.0, 0.1, false)));
+  EXPECT_TRUE(Refiner(settings, 1.0).Choose(this->Tree, this->Query(0.0, 0.1, false)).Any());
 }
 
 TEST_F(RefinerOfBox, PowerOracleSpendsOnWhatCarries)
@@ -59,8 +59,8 @@ TEST_F(RefinerOfBox, PowerOracleSpendsOnWhatCarries)
   settings.shadowTolerance = 1e-4;
   const Refiner refiner(settings, 1.0);
   // Faces of the unit box that share an edge are as far from each other as they are large.
-  EXPECT_TRUE(refiner.EndToSplit(this->Tree, this->Query(0.02, 1.0, false)));
-  EXPECT_FALSE(refiner.EndToSplit(this->Tree, this->Query(0.005, 1.0, false)));
+  EXPECT_TRUE(refiner.Choose(this->Tree, this->Query(0.02, 1.0, false)).Any());
+  EXPECT_FALSE(refiner.Choose(this->Tree, this->Query(0.005, 1.0, false)).Any());
   // Small ends far away from each other carry a constant kernel well.
   RefinementQuery far = this->Query(0.02, 1.0, false);
   for (int level = 0; level < 4; ++level)
@@ -68,10 +68,10 @@ TEST_F(RefinerOfBox, PowerOracleSpendsOnWhatCarries)
     far.first = this->Tree.Split(far.first);
     far.second = this->Tree.Split(far.second) + 2;
   }
-  EXPECT_FALSE(refiner.EndToSplit(this->Tree, far));
-  EXPECT_FALSE(refiner.EndToSplit(this->Tree, this->Query(0.005, 0.5, false)));
-  EXPECT_TRUE(refiner.EndToSplit(this->Tree, this->Query(0.005, 0.5, true)));
-  EXPECT_FALSE(refiner.EndToSplit(this->Tree, this->Query(0.00005, 0.5, true)));
+  EXPECT_FALSE(refiner.Choose(this->Tree, far).Any());
+  EXPECT_FALSE(refiner.Choose(this->Tree, this->Query(0.005, 0.5, false)).Any());
+  EXPECT_TRUE(refiner.Choose(this->Tree, this->Query(0.005, 0.5, true)).Any());
+  EXPECT_FALSE(refiner.Choose(this->Tree, this->Query(0.00005, 0.5, true)).Any());
 }
 
 TEST_F(RefinerOfBox, SplitsTheLargerEndAndStopsAtTheLimits)
@@ -83,17 +83,22 @@ TEST_F(RefinerOfBox, SplitsTheLargerEndAndStopsAtTheLimits)
   const Refiner refiner(settings, 1.0);
   const NodeId child = this->Tree.Split(this->Nodes[0]);
   RefinementQuery query{ child, this->Nodes[1], 0.05 * Pi, 1.0, 1.0, true };
-  EXPECT_EQ(refiner.EndToSplit(this->Tree, query), 1);
+  EXPECT_FALSE(refiner.Choose(this->Tree, query).first);
+  EXPECT_TRUE(refiner.Choose(this->Tree, query).second);
   std::swap(query.first, query.second);
-  EXPECT_EQ(refiner.EndToSplit(this->Tree, query), 0);
+  EXPECT_TRUE(refiner.Choose(this->Tree, query).first);
+  EXPECT_FALSE(refiner.Choose(this->Tree, query).second);
+  // Ends of one size are split both: nothing depends on which is called the first.
+  const SplitChoice both = refiner.Choose(this->Tree, this->Query(0.0, 1.0, false));
+  EXPECT_TRUE(both.first && both.second);
   // Elements of edge 0.5 may not be split into 0.25.
   query.first = this->Tree.Split(this->Nodes[1]);
-  EXPECT_FALSE(refiner.EndToSplit(this->Tree, query));
+  EXPECT_FALSE(refiner.Choose(this->Tree, query).Any());
   settings.minimumElementSize = 0.2;
   settings.maximumLevel = 1;
-  EXPECT_FALSE(Refiner(settings, 1.0).EndToSplit(this->Tree, query));
+  EXPECT_FALSE(Refiner(settings, 1.0).Choose(this->Tree, query).Any());
   settings.maximumLevel = 2;
-  EXPECT_TRUE(Refiner(settings, 1.0).EndToSplit(this->Tree, query));
+  EXPECT_TRUE(Refiner(settings, 1.0).Choose(this->Tree, query).Any());
 }
 
 TEST(RefinementSettings, RefusesValuesOutOfRange)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/Solver.h"
+
+#include <cstdint>
+
+/// \file RandomScene.h
+/// Small closed scenes made from a seed, and what the property tests do with them.
+
+namespace vantage::test
+{
+
+/// A closed box of random size and colours with one to four triangles and quadrilaterals hanging in
+/// it, some of which emit; one camera inside.
+Scene MakeRandomScene(std::uint64_t seed);
+
+/// Settings that keep these scenes to some hundred elements.
+SolverSettings CoarseSettings(Method method, RefinementOracle oracle = RefinementOracle::F);
+
+/// A solver that looks through the scene's camera.
+Solver MakeSolver(const Scene& scene, const SolverSettings& settings);
+
+/// Runs to a relative residual.
+void Solve(Solver& solver, double error);
+
+/// Mean radiance of each side of each polygon of the scene: two entries a polygon, front and back.
+std::vector<Color> RadianceOfPolygonSides(const Solver& solver);
+
+} // namespace vantage::test
