@@ -30,12 +30,11 @@ FACE_OF_CORE = (
 # ... and what else is known to whom: header -> files or folders. A method that is no method of the
 # solver, or a service that needs no solver, is reached where it stands.
 EXCEPTIONS = {
-    "core/formfactor/FormFactor.h": ("apps/vantage/FormFactorsCommand.cpp",),
-    "core/mesh/Facets.h": ("apps/vantage/FormFactorsCommand.cpp", "apps/vantage/SceneSummary.h"),
+    "core/mesh/Facets.h": ("apps/vantage/SceneSummary.h",),
     "core/mesh/PatchMesh.h": ("filters/vtk/module/vtkPatchSubdivision.cxx",),
+    "core/reference/DenseSolve.h": ("apps/vantage/FormFactorsCommand.cpp",),
     "core/reference/PathTracer.h": ("apps/vantage",),
     "core/view/ToneMapping.h": ("filters/vtk/module/vtkRadianceToneMapping.cxx", "apps/vantage"),
-    "core/visibility/OccluderScene.h": ("apps/vantage/FormFactorsCommand.cpp",),
 }
 
 # Which folders a folder of filters/ or apps/ may include beside itself and core.

@@ -29,8 +29,8 @@ double Throughput(const Polygon& a, const Polygon& b, Accuracy accuracy = Accura
 /// The same with convex opaque polygons in between. Exact visibility from every quadrature point
 /// (the shadows of the occluders are cut out of b), adaptive over a. Symmetric up to the accuracy.
 /// O(2^k) in the number k of occluders whose shadows overlap.
-double VisibleThroughput(const Polygon& a, const Polygon& b,
-  const std::vector<Polygon>& occluders, Accuracy accuracy = Accuracy::Default);
+double VisibleThroughput(const Polygon& a, const Polygon& b, const std::vector<Polygon>& occluders,
+  Accuracy accuracy = Accuracy::Default);
 
 /// A cheap guess of Throughput for refinement oracles: the mean of both point-to-polygon factors
 /// between the centres of the clipped polygons. Zero exactly where Throughput is zero.

@@ -1,0 +1,293 @@
+#include "RenderOptions.h"
+
+#include "CommandLine.h"
+#include "ImageFile.h"
+#include "core/Error.h"
+#include "io/AtomicFile.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace vantage
+{
+
+namespace
+{
+
+const std::string PathTracingName = "path-tracing";
+constexpr int DefaultImageHeight = 512;
+/// Where neither steps nor error nor time is asked for.
+constexpr double DefaultError = 0.01;
+
+std::vector<std::string> AllMethodNames()
+{
+  std::vector<std::string> names = MethodNames();
+  names.push_back(PathTracingName);
+  return names;
+}
+
+void DeclareCamera(CLI::App& command, RenderOptions& options)
+{
+  command.add_option("--camera", options.camera, "Name of one of the scene's cameras [the first]");
+  command.add_option("--eye", options.eye, "Position X Y Z");
+  command.add_option("--look-at", options.lookAt, "Middle of the image X Y Z");
+  command.add_option("--up", options.up, "Upward direction X Y Z [0 0 1 without a camera]");
+  command.add_option("--fov", options.fieldOfView, "Vertical field of view, degrees");
+  command.add_option("--size", options.size, "Pixels W H [height 512]");
+  command.add_option(
+    "--samples-per-pixel", options.samplesPerPixel, "Primary rays; of path-tracing, paths [4; 64]");
+  command.add_flag("--pixel-centres", options.pixelCentres, "Primary rays through centres only");
+  command.add_flag("--flat", options.flat, "One radiance an element, not interpolated");
+  command.add_option("--exposure", options.toneMapping.exposure,
+    "Of .png: radiance is multiplied by 2^EV [automatic]");
+}
+
+void DeclareSolver(CLI::App& command, RenderOptions& options)
+{
+  SolverSettings& solver = options.solver;
+  RefinementSettings& refinement = solver.refinement;
+  command.add_option("--method", options.method, Join(AllMethodNames()))->capture_default_str();
+  command
+    .add_option("--granularity", options.granularity, "What a step shoots: interaction, patch")
+    ->capture_default_str();
+  command.add_option("--oracle", options.oracle, "Of refinement: F, BF")->capture_default_str();
+  command
+    .add_option("--form-factor-tolerance", refinement.formFactorTolerance,
+      "Largest classical form factor of an interaction")
+    ->capture_default_str();
+  command
+    .add_option("--power-tolerance", refinement.powerTolerance,
+      "Least part of the strongest emitter's power that is refined")
+    ->capture_default_str();
+  command
+    .add_option("--shadow-tolerance", refinement.shadowTolerance,
+      "The same for direct light at shadow boundaries")
+    ->capture_default_str();
+  command
+    .add_option("--minimum-element-size", refinement.minimumElementSize,
+      "Least edge, in square roots of the mean facet area")
+    ->capture_default_str();
+  command.add_option("--maximum-level", refinement.maximumLevel, "Splits below a patch")
+    ->capture_default_str();
+  command.add_option("--visibility-rays", solver.visibilityRays, "Of a partly visible pair")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command.add_option("--view-rays", solver.viewRays, "For the view importance")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command
+    .add_flag("--initial-phase,!--no-initial-phase", solver.initialPhase,
+      "Direct light of all emitters first")
+    ->capture_default_str();
+}
+
+void DeclareBudget(CLI::App& command, RenderOptions& options)
+{
+  command.add_option("--steps", options.steps, "At most so many steps; of path-tracing, paths")
+    ->check(CLI::NonNegativeNumber);
+  command.add_option(
+    "--error", options.error, "Stop at this relative error [0.01 without --steps and --time]");
+  command.add_option("--time", options.seconds, "At most so many seconds of solving");
+  command.add_option("--threads", options.threads, "0: all")->capture_default_str();
+  command.add_option("--seed", options.solver.seed, "Of random numbers")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+}
+
+/// Whether both names mean the same existing file.
+bool IsSameFile(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+
+Vec3 ToVec3(const std::array<double, 3>& v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+} // namespace
+
+bool RenderOptions::IsPathTracing() const
+{
+  return this->method == PathTracingName;
+}
+
+void RenderOptions::Resolve()
+{
+  const std::vector<std::string> methods = AllMethodNames();
+  if (std::find(methods.begin(), methods.end(), this->method) == methods.end())
+  {
+    throw UnknownNameError("method", this->method, Join(methods));
+  }
+  if (!this->IsPathTracing())
+  {
+    this->solver.method = MethodFromName(this->method);
+  }
+  this->solver.granularity = GranularityFromName(this->granularity);
+  this->solver.refinement.oracle = RefinementOracleFromName(this->oracle);
+  this->solver.Validate();
+  this->MakeBudget().Validate();
+  this->toneMapping.Validate();
+  if (this->size && ((*this->size)[0] < 1 || (*this->size)[1] < 1))
+  {
+    throw InputError("--size: " + std::to_string((*this->size)[0]) + " " +
+                     std::to_string((*this->size)[1]) +
+                     " has no pixels; give a width and a height of 1 or more");
+  }
+  if (this->samplesPerPixel && *this->samplesPerPixel < 1)
+  {
+    throw InputError("--samples-per-pixel: it must be 1 or more; give for example 4");
+  }
+  if (this->threads < 0)
+  {
+    throw InputError("--threads: it must not be negative; give 0 for all");
+  }
+  if (this->IsPathTracing() && this->error)
+  {
+    throw InputError("--error: path-tracing does not stop at an error; give --steps or --time");
+  }
+  this->CheckOutputs();
+}
+
+void RenderOptions::CheckOutputs() const
+{
+  std::vector<std::string> files = this->outputs;
+  std::vector<std::string> suffixes = ImageSuffixes();
+  suffixes.push_back(".vtp");
+  bool hasElements = !this->links.empty() || !this->history.empty();
+  for (const std::string& output : this->outputs)
+  {
+    RequireSuffix(output, suffixes);
+    hasElements = hasElements || SuffixOf(output) == ".vtp";
+  }
+  if (this->IsPathTracing() && hasElements)
+  {
+    throw InputError("path-tracing has no elements, links and history; drop the .vtp, --links and "
+                     "--history outputs or choose another --method");
+  }
+  const auto add = [&files](const std::string& file, const std::string& suffix)
+  {
+    if (!file.empty())
+    {
+      RequireSuffix(file, { suffix });
+      files.push_back(file);
+    }
+  };
+  add(this->links, ".vtp");
+  add(this->history, ".csv");
+  add(this->report, ".json");
+  if (files.empty())
+  {
+    throw InputError("command line: there is no output; name one with -o, such as -o image.png");
+  }
+  std::set<std::string> seen;
+  for (const std::string& file : files)
+  {
+    CheckWritable(file);
+    if (IsSameFile(file, this->scene))
+    {
+      throw InputError(file + ": it would overwrite the scene; choose another output");
+    }
+    if (!seen.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file)).string())
+           .second)
+    {
+      throw InputError(file + ": it is given twice as an output; choose another name");
+    }
+  }
+}
+
+bool RenderOptions::WantsImage() const
+{
+  return std::any_of(this->outputs.begin(), this->outputs.end(),
+    [](const std::string& output) { return SuffixOf(output) != ".vtp"; });
+}
+
+Budget RenderOptions::MakeBudget() const
+{
+  Budget budget;
+  if (this->steps)
+  {
+    budget.steps = *this->steps;
+  }
+  if (this->seconds)
+  {
+    budget.seconds = *this->seconds;
+  }
+  budget.error = this->error.value_or(this->steps || this->seconds ? 0.0 : DefaultError);
+  return budget;
+}
+
+ElementImageSettings RenderOptions::MakeImageSettings(const Camera& camera) const
+{
+  ElementImageSettings settings;
+  settings.width =
+    this->size ? (*this->size)[0]
+               : std::max(1, static_cast<int>(std::lround(DefaultImageHeight * camera.aspect)));
+  settings.height = this->size ? (*this->size)[1] : DefaultImageHeight;
+  settings.samplesPerPixel = this->samplesPerPixel.value_or(settings.samplesPerPixel);
+  settings.pixelCentres = this->pixelCentres;
+  settings.flat = this->flat;
+  settings.seed = this->solver.seed;
+  return settings;
+}
+
+PathTracerSettings RenderOptions::MakePathTracerSettings() const
+{
+  PathTracerSettings settings;
+  settings.samplesPerPixel = this->samplesPerPixel.value_or(settings.samplesPerPixel);
+  if (this->steps)
+  {
+    settings.samplesPerPixel = static_cast<int>(
+      std::min<std::uint64_t>(*this->steps, static_cast<std::uint64_t>(settings.samplesPerPixel)));
+  }
+  settings.pixelCentres = this->pixelCentres;
+  settings.seed = this->solver.seed;
+  settings.seconds = this->seconds.value_or(settings.seconds);
+  return settings;
+}
+
+Camera RenderOptions::ChooseCamera(const Scene& scene) const
+{
+  Camera camera;
+  camera.up = Vec3(0.0, 0.0, 1.0);
+  if (!this->camera.empty())
+  {
+    camera = scene.FindCamera(this->camera);
+  }
+  else if (!scene.cameras.empty())
+  {
+    camera = scene.cameras.front();
+  }
+  else if (!this->eye || !this->lookAt)
+  {
+    throw InputError(this->scene + ": it has no camera; give --eye X Y Z and --look-at X Y Z");
+  }
+  camera.eye = this->eye ? ToVec3(*this->eye) : camera.eye;
+  camera.lookAt = this->lookAt ? ToVec3(*this->lookAt) : camera.lookAt;
+  camera.up = this->up ? ToVec3(*this->up) : camera.up;
+  camera.fieldOfView = this->fieldOfView.value_or(camera.fieldOfView);
+  const ElementImageSettings image = this->MakeImageSettings(camera);
+  camera.aspect = static_cast<double>(image.width) / image.height;
+  camera.Validate();
+  return camera;
+}
+
+void DeclareRenderOptions(CLI::App& command, RenderOptions& options)
+{
+  command.add_option("SCENE", options.scene, "Scene (.obj, .vtp)")->required();
+  command.add_option("-o,--output", options.outputs,
+    "Image (.png tone-mapped, .exr, .vti radiance) or elements (.vtp)");
+  command.add_option("--links", options.links, "Interactions (.vtp)");
+  command.add_option("--history", options.history, "A row a step (.csv)");
+  command.add_option("--report", options.report, "Figures of the run (.json)");
+  DeclareCamera(command, options);
+  DeclareSolver(command, options);
+  DeclareBudget(command, options);
+  command.add_flag("--quiet", options.quiet, "No progress bar and no warnings");
+}
+
+} // namespace vantage

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/Solver.h"
+#include "core/reference/PathTracer.h"
+#include "core/view/ToneMapping.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+/// \file RenderOptions.h
+/// The arguments of `vantage render`.
+
+namespace vantage
+{
+
+/// Words and numbers as they were given. The settings of the core are filled directly; names that
+/// stand for an enumeration are looked up in Resolve().
+struct RenderOptions
+{
+  std::string scene;
+  std::vector<std::string> outputs; ///< .png .exr .vti .vtp
+  std::string links;                ///< .vtp
+  std::string history;              ///< .csv
+  std::string report;               ///< .json
+
+  std::string camera;
+  std::optional<std::array<double, 3>> eye, lookAt, up;
+  std::optional<double> fieldOfView;
+  std::optional<std::array<int, 2>> size;
+
+  std::string method = NameOf(Method::ImportanceShooting);
+  std::string granularity = NameOf(Granularity::Patch);
+  std::string oracle = NameOf(RefinementOracle::BF);
+  SolverSettings solver;
+  std::optional<std::uint64_t> steps;
+  std::optional<double> error;
+  std::optional<double> seconds;
+  std::optional<int> samplesPerPixel;
+  bool pixelCentres = false;
+  bool flat = false;
+
+  int threads = 0; ///< 0: all
+  ToneMappingSettings toneMapping;
+  bool quiet = false;
+
+  bool IsPathTracing() const;
+  /// Looks the names up and checks everything that can be checked without the scene: names,
+  /// numbers, suffixes, and whether the outputs can be written.
+  /// \throw InputError for the first thing that is wrong.
+  void Resolve();
+  /// Whether any output shows pixels.
+  bool WantsImage() const;
+
+  Budget MakeBudget() const;
+  ElementImageSettings MakeImageSettings(const Camera& camera) const;
+  PathTracerSettings MakePathTracerSettings() const;
+  /// The camera of that name, else the first of the scene, changed by --eye and the like; its
+  /// aspect ratio is that of the image. \throw InputError
+  Camera ChooseCamera(const Scene& scene) const;
+
+private:
+  void CheckOutputs() const;
+};
+
+/// Declares the arguments; `options` must outlive the parsing.
+void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
+
+} // namespace vantage

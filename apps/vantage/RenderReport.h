@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/Solver.h"
+
+#include <string>
+#include <vector>
+
+/// \file RenderReport.h
+/// The figures of a run, as report.json and history.csv.
+
+namespace vantage
+{
+
+struct RenderReport
+{
+  std::string method;
+  double viewFlux = 0.0;      ///< W m^-2, mean of channels
+  double errorEstimate = 0.0; ///< StepReport::relativeUnshot; of path tracing, relative noise
+  std::size_t elements = 0;
+  std::size_t interactions = 0;
+  std::uint64_t rays = 0;
+  std::uint64_t steps = 0; ///< of path tracing, samples per pixel
+  double loadSeconds = 0.0;
+  double buildSeconds = 0.0;
+  double solveSeconds = 0.0;
+  double imageSeconds = 0.0;
+  double totalSeconds = 0.0;
+  int threads = 0;
+};
+
+/// JSON; adds the peak memory of the process.
+std::string PrintReport(const RenderReport& report);
+
+/// A header, then a row a step.
+std::string PrintHistory(const std::vector<StepReport>& history);
+
+/// Light through the image per unit area of the eye, W m^-2: the integral of L cos over the image's
+/// solid angle, cos taken against the line of sight; mean of channels.
+double ViewFluxOf(const Image& image, const Camera& camera);
+
+} // namespace vantage

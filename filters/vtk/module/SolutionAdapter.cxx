@@ -1,0 +1,173 @@
+#include "SolutionAdapter.h"
+
+#include "ArrayAdapter.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// Adds to cell data or to the columns of a table what is asked of each record of a list.
+template <typename Target, typename Record>
+class Columns
+{
+public:
+  Columns(Target* target, const std::vector<Record>& records)
+    : Receiver(target)
+    , Records(records)
+  {
+  }
+
+  template <typename ArrayType, typename Function>
+  void Add(const char* name, const Function& valueOf) const
+  {
+    this->Receiver->AddArray(MakeArray<ArrayType>(
+      name, this->Records.size(), [&](std::size_t k) { return valueOf(this->Records[k]); }));
+  }
+
+private:
+  Target* Receiver;
+  const std::vector<Record>& Records;
+};
+
+/// Line k joins the points 2 k and 2 k + 1.
+vtkSmartPointer<vtkCellArray> SeparateLines(vtkIdType count)
+{
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  lines->AllocateExact(count, 2 * count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const vtkIdType ends[2] = { 2 * k, 2 * k + 1 };
+    lines->InsertNextCell(2, ends);
+  }
+  return lines;
+}
+
+vtkSmartPointer<vtkStringArray> PhasesOf(const std::vector<StepReport>& history)
+{
+  auto phases = vtkSmartPointer<vtkStringArray>::New();
+  phases->SetName("Phase");
+  for (const StepReport& report : history)
+  {
+    phases->InsertNextValue(report.phase);
+  }
+  return phases;
+}
+
+vtkIdType IdOrMinusOne(std::uint32_t id)
+{
+  return id == None ? -1 : static_cast<vtkIdType>(id);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> ElementsToPolyData(const ElementSolution& solution)
+{
+  const ElementSurface& surface = solution.surface;
+  const std::size_t count = surface.PolygonCount();
+  auto elements = vtkSmartPointer<vtkPolyData>::New();
+  elements->SetPoints(VerticesToPoints(surface.points));
+  elements->SetPolys(PolygonsToCells(surface.indices, surface.offsets));
+
+  vtkCellData* cellData = elements->GetCellData();
+  cellData->AddArray(ColorsToArray("Radiance", solution.radiance));
+  cellData->AddArray(ColorsToArray("UnshotRadiance", solution.unshotRadiance));
+  cellData->AddArray(ColorsToArray("Importance", solution.importance));
+  cellData->AddArray(ColorsToArray("UnshotImportance", solution.unshotImportance));
+  cellData->AddArray(MakeArray<vtkDoubleArray>(
+    "ViewImportance", count, [&](std::size_t k) { return solution.viewImportance[k]; }));
+  cellData->AddArray(ColorsToArray("Albedo", solution.albedo));
+  cellData->AddArray(ColorsToArray("Emission", solution.emission));
+  cellData->AddArray(
+    MakeArray<vtkIdTypeArray>("PatchId", count, [&](std::size_t k) { return solution.patch[k]; }));
+  cellData->AddArray(MakeArray<vtkIdTypeArray>(
+    "InputCellId", count, [&](std::size_t k) { return solution.scenePolygon[k]; }));
+  cellData->AddArray(MakeArray<vtkUnsignedCharArray>(
+    "Side", count, [&](std::size_t k) { return solution.side[k]; }));
+  cellData->AddArray(
+    MakeArray<vtkIntArray>("Level", count, [&](std::size_t k) { return solution.level[k]; }));
+
+  elements->GetPointData()->AddArray(
+    ColorsToArray("Radiance", PointValues(surface, solution.radiance)));
+  return elements;
+}
+
+vtkSmartPointer<vtkPolyData> InteractionsToPolyData(
+  const std::vector<InteractionRecord>& interactions)
+{
+  using Record = InteractionRecord;
+  std::vector<Vec3> ends;
+  ends.reserve(2 * interactions.size());
+  for (const Record& record : interactions)
+  {
+    ends.push_back(record.shooterCentre);
+    ends.push_back(record.receiverCentre);
+  }
+  auto links = vtkSmartPointer<vtkPolyData>::New();
+  links->SetPoints(VerticesToPoints(ends));
+  links->SetLines(SeparateLines(static_cast<vtkIdType>(interactions.size())));
+
+  const Columns<vtkCellData, Record> columns(links->GetCellData(), interactions);
+  columns.Add<vtkIdTypeArray>("Shooter", [](const Record& r) { return r.shooter; });
+  columns.Add<vtkIdTypeArray>("Receiver", [](const Record& r) { return r.receiver; });
+  columns.Add<vtkIntArray>("ShooterLevel", [](const Record& r) { return r.shooterLevel; });
+  columns.Add<vtkIntArray>("ReceiverLevel", [](const Record& r) { return r.receiverLevel; });
+  columns.Add<vtkDoubleArray>("FormFactor", [](const Record& r) { return r.formFactor; });
+  columns.Add<vtkDoubleArray>("Visibility", [](const Record& r) { return r.visibility; });
+  columns.Add<vtkDoubleArray>("ShotFlux", [](const Record& r) { return r.shotFlux; });
+  columns.Add<vtkDoubleArray>("Contribution", [](const Record& r) { return r.contribution; });
+  columns.Add<vtkIdTypeArray>("Step", [](const Record& r) { return r.step; });
+  return links;
+}
+
+vtkSmartPointer<vtkTable> HistoryToTable(const std::vector<StepReport>& history)
+{
+  using Row = StepReport;
+  auto table = vtkSmartPointer<vtkTable>::New();
+  vtkDataSetAttributes* rows = table->GetRowData();
+  const Columns<vtkDataSetAttributes, Row> columns(rows, history);
+  columns.Add<vtkIdTypeArray>("Step", [](const Row& r) { return r.step; });
+  rows->AddArray(PhasesOf(history));
+  columns.Add<vtkIdTypeArray>("Patch", [](const Row& r) { return IdOrMinusOne(r.patch); });
+  columns.Add<vtkDoubleArray>("ViewFlux", [](const Row& r) { return r.viewFlux; });
+  columns.Add<vtkDoubleArray>("UnshotViewFlux", [](const Row& r) { return r.unshotViewFlux; });
+  columns.Add<vtkDoubleArray>("UnshotPower", [](const Row& r) { return r.unshotPower; });
+  columns.Add<vtkDoubleArray>("RelativeUnshot", [](const Row& r) { return r.relativeUnshot; });
+  columns.Add<vtkIdTypeArray>("Elements", [](const Row& r) { return r.elements; });
+  columns.Add<vtkIdTypeArray>("Interactions", [](const Row& r) { return r.interactions; });
+  columns.Add<vtkIdTypeArray>("Evaluations", [](const Row& r) { return r.evaluations; });
+  columns.Add<vtkIdTypeArray>("Rays", [](const Row& r) { return r.rays; });
+  columns.Add<vtkDoubleArray>("Seconds", [](const Row& r) { return r.seconds; });
+  return table;
+}
+
+vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image)
+{
+  const auto radiance = vtkSmartPointer<vtkFloatArray>::New();
+  radiance->SetName("Radiance");
+  radiance->SetNumberOfComponents(3);
+  radiance->SetNumberOfTuples(static_cast<vtkIdType>(image.pixels.size()));
+  for (std::size_t k = 0; k < image.pixels.size(); ++k)
+  {
+    radiance->SetTuple(static_cast<vtkIdType>(k), &image.pixels[k].x);
+  }
+  auto imageData = vtkSmartPointer<vtkImageData>::New();
+  imageData->SetDimensions(image.width, image.height, 1);
+  imageData->GetPointData()->AddArray(radiance);
+  return imageData;
+}
+
+} // namespace vantage

@@ -1,0 +1,3 @@
+"""Vantage: importance-driven global illumination as VTK filters."""
+
+from .vtkVantageFilters import *

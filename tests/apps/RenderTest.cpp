@@ -1,0 +1,202 @@
+#include "apps/RunVantage.h"
+#include "core/math/Image.h"
+#include "io/ExrFile.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace vantage
+{
+namespace
+{
+
+using test::RunResult;
+using test::RunVantage;
+using test::TemporaryFolder;
+
+constexpr const char* Small = " --size 24 16 --maximum-level 2 ";
+
+RunResult Render(const TemporaryFolder& folder, const std::string& arguments)
+{
+  return RunVantage(folder, "render s.obj" + std::string(Small) + arguments);
+}
+
+TEST(Render, WritesEveryKindOfOutput)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const RunResult run =
+    Render(folder, "-o a.png a.exr a.vti a.vtp --links l.vtp --history h.csv --report r.json");
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(run.errors, "");
+  EXPECT_EQ(run.output, "");
+  EXPECT_EQ(folder.FileCount(), 2u + 7u);
+  EXPECT_EQ(test::ReadText(folder / "a.png").substr(1, 3), "PNG");
+  EXPECT_NE(test::ReadText(folder / "l.vtp").find("PolyData"), std::string::npos);
+  // .exr and .vti hold the same floats.
+  const RunResult compare = RunVantage(folder, "compare a.exr a.vti --tolerance 0");
+  EXPECT_EQ(compare.exitCode, 0) << compare.output;
+  // The elements are a scene themselves, as bright as their lamp.
+  const RunResult info = RunVantage(folder, "info a.vtp");
+  EXPECT_EQ(info.exitCode, 0) << info.errors;
+}
+
+TEST(Render, ReportHoldsWhatWasDone)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "--history h.csv --report r.json --threads 1").exitCode, 0);
+  const nlohmann::json report = nlohmann::json::parse(test::ReadText(folder / "r.json"));
+  EXPECT_EQ(report["method"], "importance-shooting");
+  EXPECT_GT(report["viewFlux"], 0.0);
+  EXPECT_LE(report["errorEstimate"], 0.01);
+  EXPECT_GE(report["elements"], 7);
+  EXPECT_GT(report["interactions"], 0);
+  EXPECT_GT(report["rays"], 0);
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_GT(report["peakMemoryBytes"], 1000000);
+  double sum = 0.0;
+  for (const char* phase : { "load", "build", "solve", "image" })
+  {
+    sum += report["seconds"][phase].get<double>();
+  }
+  EXPECT_GE(report["seconds"]["total"].get<double>(), sum);
+  const std::string history = test::ReadText(folder / "h.csv");
+  const auto rows = std::count(history.begin(), history.end(), '\n');
+  EXPECT_EQ(static_cast<std::uint64_t>(rows), 1 + report["steps"].get<std::uint64_t>());
+}
+
+TEST(Render, StopsAfterTheStepsAskedFor)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "--steps 3 --report r.json").exitCode, 0);
+  EXPECT_EQ(nlohmann::json::parse(test::ReadText(folder / "r.json"))["steps"], 3);
+}
+
+TEST(Render, IsTheSameForAnyNumberOfThreads)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "-o one.exr --threads 1").exitCode, 0);
+  ASSERT_EQ(Render(folder, "-o two.exr --threads 2").exitCode, 0);
+  EXPECT_EQ(test::ReadText(folder / "one.exr"), test::ReadText(folder / "two.exr"));
+}
+
+TEST(Render, EveryMethodShowsTheSameView)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const std::string fine =
+    "render s.obj --size 8 8 --samples-per-pixel 16 --form-factor-tolerance 0.05 --error 1e-3 ";
+  ASSERT_EQ(RunVantage(folder, fine + "-o a.exr --report a.json").exitCode, 0);
+  const double flux = nlohmann::json::parse(test::ReadText(folder / "a.json"))["viewFlux"];
+  for (const std::string method : { "basic-shooting", "progressive-shooting", "gauss-seidel" })
+  {
+    ASSERT_EQ(RunVantage(folder, fine + "-o b.exr --method " + method).exitCode, 0) << method;
+    // Refinement and stopping differ a little from method to method.
+    const RunResult compare = RunVantage(folder, "compare b.exr a.exr --tolerance 0.05");
+    EXPECT_EQ(compare.exitCode, 0) << method << "\n" << compare.output;
+  }
+  ASSERT_EQ(
+    RunVantage(folder, "render s.obj --size 8 8 --method path-tracing --samples-per-pixel 1024"
+                       " -o c.exr --report c.json")
+      .exitCode,
+    0);
+  // Discretisation, which falls with the tolerance of form factors; the noise is 1 %.
+  const RunResult compare = RunVantage(folder, "compare a.exr c.exr --tolerance 0.1");
+  EXPECT_EQ(compare.exitCode, 0) << compare.output;
+  const double traced = nlohmann::json::parse(test::ReadText(folder / "c.json"))["viewFlux"];
+  EXPECT_NEAR(traced / flux, 1.0, 0.03);
+}
+
+TEST(Render, WithoutAnEmitterIsBlackWithAWarning)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder, "0 0 0");
+  for (const std::string method : { "importance-shooting", "path-tracing" })
+  {
+    const RunResult run = Render(folder, "-o a.exr a.png --method " + method);
+    EXPECT_EQ(run.exitCode, 0) << method;
+    EXPECT_EQ(run.ErrorLines(), 1) << method << ": " << run.errors;
+    EXPECT_EQ(run.errors.find("vantage: warning: "), 0u) << run.errors;
+    for (const Color& pixel : ReadExr(folder / "a.exr").pixels)
+    {
+      EXPECT_EQ(pixel, Color(0.0));
+    }
+  }
+  EXPECT_EQ(Render(folder, "-o a.exr --quiet").errors, "");
+}
+
+TEST(Render, ACameraInAWallOrOutsideIsNoError)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  for (const std::string eye : { "1 0 0", "1 1 1", "5 0 0" })
+  {
+    const RunResult run = Render(folder, "-o a.exr --eye " + eye + " --look-at 9 .1 .1");
+    EXPECT_EQ(run.exitCode, 0) << eye << ": " << run.errors;
+    EXPECT_LE(run.ErrorLines(), 1) << eye << ": " << run.errors;
+    for (const Color& pixel : ReadExr(folder / "a.exr").pixels)
+    {
+      EXPECT_TRUE(std::isfinite(Mean(pixel))) << eye;
+    }
+  }
+}
+
+TEST(Render, ArgumentsChangeTheCamera)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "-o a.exr").exitCode, 0);
+  ASSERT_EQ(Render(folder, "-o b.exr --camera main").exitCode, 0);
+  ASSERT_EQ(
+    Render(folder, "-o c.exr --eye -.9 0 0 --look-at 1 0 -.2 --up 0 0 1 --fov 60").exitCode, 0);
+  ASSERT_EQ(Render(folder, "-o d.exr --fov 30").exitCode, 0);
+  EXPECT_EQ(RunVantage(folder, "compare b.exr a.exr --tolerance 0").exitCode, 0);
+  EXPECT_EQ(RunVantage(folder, "compare c.exr a.exr --tolerance 0").exitCode, 0);
+  EXPECT_EQ(RunVantage(folder, "compare d.exr a.exr --tolerance 0").exitCode, 1);
+}
+
+TEST(Render, ExposureBrightensAPng)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "-o a.png --exposure -8").exitCode, 0);
+  ASSERT_EQ(Render(folder, "-o b.png --exposure 0").exitCode, 0);
+  const RunResult compare = RunVantage(folder, "compare a.png b.png");
+  EXPECT_NE(compare.output.find("bias -"), std::string::npos) << compare.output;
+}
+
+TEST(Compare, EqualImagesDoNotDiffer)
+{
+  const TemporaryFolder folder;
+  Image image(3, 2);
+  image.At(1, 1) = Color(1.0, 2.0, 3.0);
+  WriteExr(image, folder / "a.exr");
+  const RunResult run = RunVantage(folder, "compare a.exr a.exr --tolerance 0");
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(run.output, "relative L1   0\nrelative RMSE 0\nrelative bias 0\n");
+}
+
+TEST(Compare, TellsHowFarAndExitsWithOne)
+{
+  const TemporaryFolder folder;
+  Image image(2, 1);
+  image.At(0, 0) = Color(1.0);
+  image.At(1, 0) = Color(3.0);
+  WriteExr(image, folder / "reference.exr");
+  image.At(0, 0) = Color(2.0);
+  WriteExr(image, folder / "image.exr");
+  // |2 - 1| over 1 + 3.
+  const RunResult run = RunVantage(folder, "compare image.exr reference.exr --tolerance 0.24");
+  EXPECT_EQ(run.exitCode, 1);
+  EXPECT_NE(run.output.find("relative L1   0.25\n"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("relative bias 0.25\n"), std::string::npos) << run.output;
+  EXPECT_EQ(RunVantage(folder, "compare image.exr reference.exr --tolerance 0.26").exitCode, 0);
+  WriteExr(Image(1, 2), folder / "other.exr");
+  EXPECT_EQ(RunVantage(folder, "compare image.exr other.exr").exitCode, 2);
+}
+
+} // namespace
+} // namespace vantage

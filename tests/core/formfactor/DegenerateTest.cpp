@@ -1,0 +1,156 @@
+#include "core/formfactor/FormFactor.h"
+#include "core/formfactor/Shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace vantage
+{
+namespace
+{
+
+void ExpectSound(const Polygon& a, const Polygon& b)
+{
+  for (const Accuracy accuracy : { Accuracy::Default, Accuracy::Reference })
+  {
+    const double g = Throughput(a, b, accuracy);
+    EXPECT_TRUE(std::isfinite(g));
+    EXPECT_GE(g, 0.0);
+    EXPECT_LE(g, Pi * std::min(Area(a), Area(b)) * (1.0 + 1e-15)); // rounding of the area
+    EXPECT_EQ(g, Throughput(b, a, accuracy));
+    EXPECT_EQ(g == 0.0, ThroughputEstimate(a, b) == 0.0);
+  }
+  EXPECT_EQ(ThroughputEstimate(a, b), ThroughputEstimate(b, a));
+}
+
+TEST(Degenerate, PolygonsThatDoNotSeeEachOther)
+{
+  const Polygon line{ { 0, 0, 1 }, { 1, 0, 1 }, { 2, 0, 1 } };
+  const Polygon point{ { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } };
+  const Polygon beside{ { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 } };
+  for (const Polygon& other : { line, point, Polygon{}, beside, Reversed(beside), Floor(),
+         Reversed(Floor()), Floor(1, 1, 1), Ceiling(-1) })
+  {
+    EXPECT_EQ(Throughput(Floor(), other), 0.0);
+    EXPECT_EQ(ThroughputEstimate(Floor(), other), 0.0);
+    ExpectSound(Floor(), other);
+  }
+}
+
+TEST(Degenerate, TouchingPolygonsAtAllAngles)
+{
+  for (int degrees = 1; degrees < 180; ++degrees)
+  {
+    SCOPED_TRACE(degrees);
+    const double t = degrees * Pi / 180.0;
+    const Vec3 along(std::cos(t), 0, std::sin(t));
+    ExpectSound(Floor(), { Vec3(0), Vec3(0, 1, 0), Vec3(0, 1, 0) + along, along });
+    // A shorter edge on the shared one, one across it and one that only touches a vertex.
+    const Vec3 low(0, 0.25, 0), high(0, 1.5, 0), skew(0, 0.3, 0);
+    ExpectSound(Floor(), { low, high, high + along, low + along });
+    ExpectSound(Floor(), { low, high, high + along + skew, low + along + skew });
+    ExpectSound(Floor(), { low, high + along, low + along + skew });
+  }
+}
+
+TEST(Degenerate, CoincidentInTheLimitFromTheFrontAndFromBehind)
+{
+  const Frame turned(glm::normalize(Vec3(1, 2, 3)));
+  const Polygon p = Regular(Vec3(0.3), turned, 1.0, 5, 0.1);
+  for (const double d : { 1e-4, 1e-7, 1e-9 })
+  {
+    Polygon near = Reversed(p);
+    Polygon behind = Reversed(p);
+    for (int i = 0; i < p.Size(); ++i)
+    {
+      near[i] += d * turned.z;
+      behind[i] -= d * turned.z;
+    }
+    ExpectSound(p, near);
+    // The light that leaves through the slit at the border: about 2 d times the perimeter.
+    EXPECT_NEAR(Throughput(p, near) / (Pi * Area(p)), 1.0, 10.0 * d);
+    EXPECT_EQ(Throughput(p, behind), 0.0);
+  }
+  EXPECT_EQ(Throughput(p, Reversed(p)), 0.0);
+}
+
+TEST(Degenerate, Slivers)
+{
+  for (const double width : { 1e-3, 1e-4 })
+  {
+    const Polygon sliver = Floor(1.0, width);
+    ExpectSound(sliver, Ceiling(0.1));
+    ExpectSound(sliver, Ceiling(1e-4));
+    ExpectSound(sliver, Ceiling(0.3, width, 1.0));
+    ExpectSound(sliver, { { 0, 0, 0 }, { 0, width, 0 }, { 0, width, 1 }, { 0, 0, 1 } });
+    // Cut into slivers, a floor sees as much as in one piece.
+    double sum = 0.0;
+    const int pieces = static_cast<int>(std::lround(1.0 / width));
+    for (int i = 0; i < pieces; ++i)
+    {
+      Polygon piece = sliver;
+      for (int k = 0; k < 4; ++k)
+      {
+        piece[k].y += i * width;
+      }
+      sum += Throughput(piece, Ceiling(0.1), Accuracy::Reference);
+    }
+    // Each sliver loses up to 1 / width of the digits of the whole: 1e-16 * 1e4 * few.
+    EXPECT_NEAR(sum / (Pi * 0.826994522397257), 1.0, 1e-11);
+  }
+}
+
+TEST(Degenerate, SizesAMillionToOne)
+{
+  const double small = 1e-6;
+  for (const double height : { 1e-6, 1e-3, 1.0 })
+  {
+    Polygon speck = Floor(small, small);
+    for (int k = 0; k < 4; ++k)
+    {
+      speck[k] += Vec3(0.3, 0.4, 0.0);
+    }
+    const Polygon big = Ceiling(height);
+    ExpectSound(speck, big);
+    const Vec3 centre(0.3 + 0.5 * small, 0.4 + 0.5 * small, 0.0);
+    // Across the speck the cosine sum varies by (small / distance to the border)^2; 1e-16 of the
+    // product of the perimeters is 1e-10 of the speck's area.
+    EXPECT_NEAR(Throughput(speck, big) / (Area(speck) * PointToPolygon(centre, Vec3(0, 0, 1), big)),
+      1.0, 2e-9);
+  }
+}
+
+TEST(Degenerate, FarApart)
+{
+  for (const double d : { 1e3, 1e6, 1e9 })
+  {
+    ExpectSound(Floor(), Ceiling(d));
+    EXPECT_NEAR(Throughput(Floor(), Ceiling(d)) * d * d, 1.0, 2.0 / (d * d) + 1e-14);
+  }
+}
+
+TEST(Degenerate, FarFromTheOriginAndAtAnyScale)
+{
+  const double expected = Throughput(Floor(), Ceiling(0.25), Accuracy::Reference);
+  const Polygon wall{ { 0, 0, 0 }, { 0, 1, 0 }, { 0, 1, 1 }, { 0, 0, 1 } };
+  for (const double scale : { 1e-3, 1.0, 1e3 })
+  {
+    for (const double far : { 0.0, 1e3, 1e6 })
+    {
+      SCOPED_TRACE(testing::Message() << "scale " << scale << ", shift " << far);
+      Motion motion;
+      motion.frame = Frame(glm::normalize(Vec3(3, -1, 2)));
+      motion.scale = scale;
+      motion.shift = Vec3(far, -far, 0.5 * far);
+      // The vertices themselves are rounded to 1e-16 of their coordinates.
+      const double rounding = 1e-12 + 4e-15 * far / scale;
+      const double opposite =
+        Throughput(motion(Floor()), motion(Ceiling(0.25)), Accuracy::Reference);
+      EXPECT_NEAR(opposite / (scale * scale), expected, rounding);
+      const double adjacent = Throughput(motion(Floor()), motion(wall), Accuracy::Reference);
+      EXPECT_NEAR(adjacent / (Pi * scale * scale), 0.200043776075403, rounding);
+    }
+  }
+}
+
+} // namespace
+} // namespace vantage
