@@ -1,5 +1,7 @@
 #include "core/formfactor/Blocking.h"
 
+#include "core/math/Sampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,14 +35,14 @@ struct OneSide
   }
 };
 
-/// Where the hull of all vertices meets the plane, as seen from one edge of the occluder: the range
-/// of distances inside that edge.
 struct Range
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
 };
 
+/// Where the hull of all vertices meets the plane of the occluder: the range of distances inside
+/// one of its edges.
 Range RangeInside(const Plane& edge, const OneSide& above, const OneSide& below)
 {
   Range range;
@@ -58,6 +60,48 @@ Range RangeInside(const Plane& edge, const OneSide& above, const OneSide& below)
     }
   }
   return range;
+}
+
+Range RangeOf(const Plane& plane, const Polygon& p)
+{
+  Range range;
+  for (const Vec3& v : p)
+  {
+    const double d = plane.Distance(v);
+    range.least = std::min(range.least, d);
+    range.most = std::max(range.most, d);
+  }
+  return range;
+}
+
+/// Whether a plane through an edge of a and a vertex of b has both on one side and the occluder on
+/// the other: these planes are the sides of the hull of a and b.
+bool SideOfHullParts(const Polygon& a, const Polygon& b, const Polygon& occluder, double tolerance)
+{
+  for (int i = 0; i < a.Size(); ++i)
+  {
+    const Vec3 along = a[(i + 1) % a.Size()] - a[i];
+    for (const Vec3& v : b)
+    {
+      const Vec3 normal = glm::cross(along, v - a[i]);
+      const double length = glm::length(normal);
+      if (length == 0.0)
+      {
+        continue;
+      }
+      const Plane side{ normal / length, glm::dot(normal, a[i]) / length };
+      const Range ofA = RangeOf(side, a);
+      const Range ofB = RangeOf(side, b);
+      const Range ofOccluder = RangeOf(side, occluder);
+      const bool below = std::max(ofA.most, ofB.most) <= tolerance;
+      const bool above = std::min(ofA.least, ofB.least) >= -tolerance;
+      if ((below && ofOccluder.least >= -tolerance) || (above && ofOccluder.most <= tolerance))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -98,7 +142,47 @@ Blocking BlockingBetween(
     }
     insideAll = insideAll && range.least >= -tolerance;
   }
-  return apart && insideAll ? Blocking::Full : Blocking::Partial;
+  if (apart && insideAll)
+  {
+    return Blocking::Full;
+  }
+  const bool beside =
+    SideOfHullParts(a, b, occluder, tolerance) || SideOfHullParts(b, a, occluder, tolerance);
+  return beside ? Blocking::None : Blocking::Partial;
+}
+
+double PenumbraWidth(const Plane& ground, const Polygon& b, const Polygon& occluder)
+{
+  constexpr int directions = 8;
+  const Frame frame(ground.normal);
+  std::array<Range, directions> ranges;
+  for (const Vec3& y : b)
+  {
+    const double heightB = ground.Distance(y);
+    for (const Vec3& v : occluder)
+    {
+      const double height = ground.Distance(v);
+      if (height >= heightB)
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+      const Vec3 shadow = y + (heightB / (heightB - height)) * (v - y);
+      for (int k = 0; k < directions; ++k)
+      {
+        const double angle = k * Pi / directions;
+        const double along =
+          glm::dot(shadow, std::cos(angle) * frame.x + std::sin(angle) * frame.y);
+        ranges[k].least = std::min(ranges[k].least, along);
+        ranges[k].most = std::max(ranges[k].most, along);
+      }
+    }
+  }
+  double width = std::numeric_limits<double>::infinity();
+  for (const Range& range : ranges)
+  {
+    width = std::min(width, range.most - range.least);
+  }
+  return width;
 }
 
 } // namespace vantage

@@ -20,10 +20,20 @@ constexpr double SkewSine = 1e-4;
 // in units of the lengths of the edges and their distance.
 constexpr double NearestReach = 16.0;
 
-double SafeLog(double x)
+/// ln |x - y|^2; where it is asked for points that touch, the value is multiplied by zero.
+double LogOfSquare(const Vec3& x, const Vec3& y)
 {
-  // Where this is asked for zero the logarithm is multiplied by a distance that is zero.
-  return x > 0.0 ? std::log(x) : 0.0;
+  const Vec3 d = x - y;
+  const double squared = glm::dot(d, d);
+  return squared > 0.0 ? std::log(squared) : 0.0;
+}
+
+EndLogs LogsBetween(const Edge& e, const Edge& f)
+{
+  const Vec3 endE = e.At(e.length);
+  const Vec3 endF = f.At(f.length);
+  return { { { LogOfSquare(e.start, f.start), LogOfSquare(e.start, endF) },
+    { LogOfSquare(endE, f.start), LogOfSquare(endE, endF) } } };
 }
 
 /// Integral of ln |x - y|^2 over y on the edge f, plus 2 |f|. Lines through x included.
@@ -94,10 +104,7 @@ double NearlyParallelLogIntegral(
   const auto overF = [&](double s)
   {
     const Vec3 x = e.At(s);
-    const Vec3 toStart = f.start - x;
-    const Vec3 toEnd = endF - x;
-    return PointLogIntegral(
-      x, f, SafeLog(glm::dot(toStart, toStart)), SafeLog(glm::dot(toEnd, toEnd)));
+    return PointLogIntegral(x, f, LogOfSquare(x, f.start), LogOfSquare(x, endF));
   };
   // What is singular is of the kind u ln u^2 with u about the length of the panel.
   const auto bound = [](const Panel& panel) { return 8.0 * panel.Length() * panel.Length(); };
@@ -153,13 +160,18 @@ double LogIntegral(const Edge& e, const Edge& f, const EndLogs& logs, double tol
 {
   const Vec3 normal = glm::cross(e.direction, f.direction);
   const double sine = glm::length(normal);
+  if (sine < ParallelSine)
+  {
+    return ParallelLogIntegral(e, f, logs);
+  }
   // Turning e into the direction of f moves its points by up to the sine times its length, and the
   // integral by that times the shorter length times a logarithm.
   constexpr double change = 32.0;
-  const double turned = change * sine * e.length * std::min(e.length, f.length);
-  if (sine < ParallelSine || turned < tolerance)
+  if (change * sine * e.length * std::min(e.length, f.length) < tolerance)
   {
-    return ParallelLogIntegral(e, f, logs);
+    const double sign = glm::dot(e.direction, f.direction) > 0.0 ? 1.0 : -1.0;
+    const Edge turned{ e.start, sign * f.direction, e.length };
+    return ParallelLogIntegral(turned, f, LogsBetween(turned, f));
   }
   const LinePair lines(e, f, normal, sine);
   const double reach = NearestReach * (e.length + f.length + glm::distance(e.start, f.start));

@@ -77,6 +77,24 @@ bool Before(const Polygon& a, const Polygon& b)
   return false;
 }
 
+/// Area, centroid and the radius around it of a polygon whose normal is known.
+void MeasureOne(const Polygon& p, const Vec3& normal, double& area, Vec3& centre, double& radius)
+{
+  double twiceArea = 0.0;
+  Vec3 moment(0.0);
+  for (int i = 2; i < p.Size(); ++i)
+  {
+    const Vec3 e = p[i - 1] - p[0];
+    const Vec3 f = p[i] - p[0];
+    const double part = glm::dot(glm::cross(e, f), normal);
+    twiceArea += part;
+    moment += part * (e + f);
+  }
+  area = 0.5 * twiceArea;
+  centre = twiceArea > 0.0 ? p[0] + moment / (3.0 * twiceArea) : p[0];
+  radius = RadiusAround(p, centre);
+}
+
 void Swap(FacingPair& pair)
 {
   std::swap(pair.a, pair.b);
@@ -90,12 +108,8 @@ void Swap(FacingPair& pair)
 
 bool Measure(FacingPair& pair)
 {
-  pair.areaA = Area(pair.a);
-  pair.areaB = Area(pair.b);
-  pair.centreA = Centroid(pair.a);
-  pair.centreB = Centroid(pair.b);
-  pair.radiusA = RadiusAround(pair.a, pair.centreA);
-  pair.radiusB = RadiusAround(pair.b, pair.centreB);
+  MeasureOne(pair.a, pair.normalA, pair.areaA, pair.centreA, pair.radiusA);
+  MeasureOne(pair.b, pair.normalB, pair.areaB, pair.centreB, pair.radiusB);
   return pair.areaA > NoArea * pair.radiusA * pair.radiusA &&
          pair.areaB > NoArea * pair.radiusB * pair.radiusB;
 }

@@ -26,10 +26,17 @@ constexpr Goal GoalOf(Accuracy accuracy)
                                        : Goal{ 5e-7, Accuracy::Reference, 1 << 18 };
 }
 
-// Cells that an occluder shades in part are split this often before their error estimate counts:
-// two coarse rules may miss the same small shadow.
-constexpr int LeastLevel = 2;
+// A cell is fine when its radius is at most this part of the width of the penumbra it is in. The
+// error estimate of a coarse one is void: two rules may miss the same small shadow.
+constexpr double FineCell = 0.5;
 constexpr int PointsPerSide = 3;
+
+// Along a kink the error of a child is an eighth of its parent's; no more than this is believed.
+constexpr double MostGain = 1.0 / 16.0;
+
+// The error of what is seen of a pair that is hidden but for a smaller part than this may be
+// relative to this part: cracks of light would cost more than all other pairs together.
+constexpr double NearlyHidden = 0.1;
 
 // In units of the pair: what is nearer to a plane than this touches it. An occluder that lies in
 // the plane of a polygon, such as the polygon itself, hides nothing; one that stands on it is cut
@@ -42,8 +49,8 @@ struct Cell
   Polygon shape;
   std::vector<int> occluders; ///< those that shade it in part
   double value = 0.0;
-  double error = 0.0; ///< estimate
-  int level = 0;
+  double error = 0.0;  ///< estimate
+  bool coarse = false; ///< see FineCell
 };
 
 bool SmallerError(const Cell& one, const Cell& other)
@@ -57,16 +64,27 @@ bool SmallerError(const Cell& one, const Cell& other)
 class VisibleIntegral
 {
 public:
-  VisibleIntegral(const FacingPair& pair, std::vector<Polygon> occluders, const Goal& goal)
+  /// `unoccluded` is the throughput without any occluder.
+  VisibleIntegral(
+    const FacingPair& pair, std::vector<Polygon> occluders, const Goal& goal, double unoccluded)
     : Pair(pair)
     , Occluders(std::move(occluders))
     , Target(goal)
+    , Unoccluded(unoccluded)
   {
+    for (const Polygon& occluder : this->Occluders)
+    {
+      this->PenumbraWidths.push_back(PenumbraWidth(this->Ground(), pair.b, occluder));
+    }
   }
 
   double Integrate();
 
 private:
+  Plane Ground() const
+  {
+    return { this->Pair.normalA, glm::dot(this->Pair.normalA, this->Pair.a[0]) };
+  }
   std::vector<Polygon> FirstCells() const;
   Cell MakeCell(const Polygon& shape, const std::vector<int>& candidates) const;
   double Cubature(const Polygon& shape, const std::vector<int>& occluders) const;
@@ -75,7 +93,9 @@ private:
 
   const FacingPair& Pair;
   std::vector<Polygon> Occluders;
+  std::vector<double> PenumbraWidths; ///< of each occluder
   Goal Target;
+  double Unoccluded;
   std::vector<Cell> Heap; ///< cells whose values are not certain, the largest error first
   double Certain = 0.0;   ///< sum of the others
   double Uncertain = 0.0;
@@ -86,7 +106,7 @@ private:
 std::vector<Polygon> VisibleIntegral::FirstCells() const
 {
   std::vector<Polygon> cells{ this->Pair.a };
-  const Plane ground{ this->Pair.normalA, glm::dot(this->Pair.normalA, this->Pair.a[0]) };
+  const Plane ground = this->Ground();
   for (const Polygon& occluder : this->Occluders)
   {
     double lowest = ground.Distance(occluder[0]);
@@ -144,6 +164,7 @@ Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& can
 {
   Cell cell;
   cell.shape = shape;
+  const double radius = RadiusAround(shape, Centroid(shape));
   for (const int i : candidates)
   {
     const Blocking blocking = BlockingBetween(shape, this->Pair.b, this->Occluders[i], Touching);
@@ -155,6 +176,7 @@ Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& can
     if (blocking == Blocking::Partial)
     {
       cell.occluders.push_back(i);
+      cell.coarse = cell.coarse || radius > FineCell * this->PenumbraWidths[i];
     }
   }
   cell.value = cell.occluders.empty() ? Throughput(shape, this->Pair.b, this->Target.pieces)
@@ -188,14 +210,14 @@ void VisibleIntegral::SplitWorst()
   for (int i = 0; i < 4; ++i)
   {
     children[i] = this->MakeCell(shapes[i], parent.occluders);
-    children[i].level = parent.level + 1;
     change += children[i].value;
   }
   for (Cell& child : children)
   {
-    // Where the integrand is smooth the change is far more than the error that is left.
-    child.error =
-      child.level < LeastLevel ? child.value + std::abs(change) : 0.25 * std::abs(change);
+    // Where the integrand is smooth the change is far more than the error that is left. Where it
+    // is not, two rules may agree by chance: no child is trusted much more than its parent.
+    child.error = child.coarse ? child.value + std::abs(change)
+                               : std::max(0.25 * std::abs(change), MostGain * parent.error);
     this->Add(std::move(child));
   }
 }
@@ -213,9 +235,12 @@ double VisibleIntegral::Integrate()
     cell.error = Pi * Area(shape);
     this->Add(std::move(cell));
   }
-  for (int made = 0; made < this->Target.cells && !this->Heap.empty() &&
-                     this->Error > this->Target.error * (this->Certain + this->Uncertain);
-       made += 4)
+  const auto isEnough = [this]()
+  {
+    const double size = std::max(this->Certain + this->Uncertain, NearlyHidden * this->Unoccluded);
+    return this->Heap.empty() || this->Error <= this->Target.error * size;
+  };
+  for (int made = 0; made < this->Target.cells && !isEnough(); made += 4)
   {
     this->SplitWorst();
   }
@@ -271,7 +296,8 @@ double VisibleThroughput(
   {
     return Throughput(a, b, accuracy);
   }
-  VisibleIntegral integral(*pair, std::move(between), GoalOf(accuracy));
+  const double unoccluded = Throughput(pair->a, pair->b, accuracy);
+  VisibleIntegral integral(*pair, std::move(between), GoalOf(accuracy), unoccluded);
   return integral.Integrate() * pair->unit * pair->unit;
 }
 
