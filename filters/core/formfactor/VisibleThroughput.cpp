@@ -26,13 +26,10 @@ constexpr Goal GoalOf(Accuracy accuracy)
                                        : Goal{ 5e-7, Accuracy::Reference, 1 << 18 };
 }
 
-// A cell is fine when its radius is at most this part of the width of the penumbra it is in. The
-// error estimate of a coarse one is void: two rules may miss the same small shadow.
-constexpr double FineCell = 0.5;
+// Cells that an occluder shades in part are split this often before their error estimate counts:
+// two coarse rules may miss the same small shadow.
+constexpr int LeastLevel = 2;
 constexpr int PointsPerSide = 3;
-
-// Along a kink the error of a child is an eighth of its parent's; no more than this is believed.
-constexpr double MostGain = 1.0 / 16.0;
 
 // The error of what is seen of a pair that is hidden but for a smaller part than this may be
 // relative to this part: cracks of light would cost more than all other pairs together.
@@ -49,8 +46,8 @@ struct Cell
   Polygon shape;
   std::vector<int> occluders; ///< those that shade it in part
   double value = 0.0;
-  double error = 0.0;  ///< estimate
-  bool coarse = false; ///< see FineCell
+  double error = 0.0; ///< estimate
+  int level = 0;
 };
 
 bool SmallerError(const Cell& one, const Cell& other)
@@ -72,19 +69,11 @@ public:
     , Target(goal)
     , Unoccluded(unoccluded)
   {
-    for (const Polygon& occluder : this->Occluders)
-    {
-      this->PenumbraWidths.push_back(PenumbraWidth(this->Ground(), pair.b, occluder));
-    }
   }
 
   double Integrate();
 
 private:
-  Plane Ground() const
-  {
-    return { this->Pair.normalA, glm::dot(this->Pair.normalA, this->Pair.a[0]) };
-  }
   std::vector<Polygon> FirstCells() const;
   Cell MakeCell(const Polygon& shape, const std::vector<int>& candidates) const;
   double Cubature(const Polygon& shape, const std::vector<int>& occluders) const;
@@ -93,7 +82,6 @@ private:
 
   const FacingPair& Pair;
   std::vector<Polygon> Occluders;
-  std::vector<double> PenumbraWidths; ///< of each occluder
   Goal Target;
   double Unoccluded;
   std::vector<Cell> Heap; ///< cells whose values are not certain, the largest error first
@@ -106,7 +94,7 @@ private:
 std::vector<Polygon> VisibleIntegral::FirstCells() const
 {
   std::vector<Polygon> cells{ this->Pair.a };
-  const Plane ground = this->Ground();
+  const Plane ground{ this->Pair.normalA, glm::dot(this->Pair.normalA, this->Pair.a[0]) };
   for (const Polygon& occluder : this->Occluders)
   {
     double lowest = ground.Distance(occluder[0]);
@@ -164,7 +152,6 @@ Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& can
 {
   Cell cell;
   cell.shape = shape;
-  const double radius = RadiusAround(shape, Centroid(shape));
   for (const int i : candidates)
   {
     const Blocking blocking = BlockingBetween(shape, this->Pair.b, this->Occluders[i], Touching);
@@ -176,7 +163,6 @@ Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& can
     if (blocking == Blocking::Partial)
     {
       cell.occluders.push_back(i);
-      cell.coarse = cell.coarse || radius > FineCell * this->PenumbraWidths[i];
     }
   }
   cell.value = cell.occluders.empty() ? Throughput(shape, this->Pair.b, this->Target.pieces)
@@ -210,14 +196,14 @@ void VisibleIntegral::SplitWorst()
   for (int i = 0; i < 4; ++i)
   {
     children[i] = this->MakeCell(shapes[i], parent.occluders);
+    children[i].level = parent.level + 1;
     change += children[i].value;
   }
   for (Cell& child : children)
   {
-    // Where the integrand is smooth the change is far more than the error that is left. Where it
-    // is not, two rules may agree by chance: no child is trusted much more than its parent.
-    child.error = child.coarse ? child.value + std::abs(change)
-                               : std::max(0.25 * std::abs(change), MostGain * parent.error);
+    // Where the integrand is smooth the change is far more than the error that is left.
+    child.error =
+      child.level < LeastLevel ? child.value + std::abs(change) : 0.25 * std::abs(change);
     this->Add(std::move(child));
   }
 }

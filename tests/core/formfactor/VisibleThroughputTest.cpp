@@ -76,24 +76,6 @@ TEST(VisibleThroughput, TilesOccludeLikeTheWhole)
   EXPECT_NEAR(twice / once, 1.0, 2e-6);
 }
 
-// Close above a floor that reaches farther than its shadows, an occluder takes away exactly what it
-// would itself receive from the ceiling.
-TEST(VisibleThroughput, AnOccluderTakesAwayWhatItReceives)
-{
-  const double open = Throughput(Floor(), Ceiling(1), Accuracy::Reference);
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
-  {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    RandomStream random(seed, 3);
-    const Vec3 centre(0.2 + 0.6 * random.Next(), 0.2 + 0.6 * random.Next(), 0.05);
-    const Polygon small = Regular(centre, Level, 0.03 + 0.05 * random.Next(), 5, random.Next());
-    const double expected = open - Throughput(small, Ceiling(1), Accuracy::Reference);
-    EXPECT_NEAR(VisibleThroughput(Floor(), Ceiling(1), { small }) / expected, 1.0, 1e-4);
-    const double fine = VisibleThroughput(Floor(), Ceiling(1), { small }, Accuracy::Reference);
-    EXPECT_NEAR(fine / expected, 1.0, 1e-6);
-  }
-}
-
 TEST(VisibleThroughput, ManyVerticesFit)
 {
   const Polygon floor = Regular(Vec3(0, 0, 0), Level, 1.0, 12, 0.0);
