@@ -170,6 +170,25 @@ TEST(Degenerate, ASpeckAtTheFootOfAWall)
   EXPECT_NEAR(Throughput(speck, wall(0, 1, 0, 1)) / sum, 1.0, 1e-5);
 }
 
+// A sliver whose tip the plane of the other polygon cuts off: an edge of 1e-9 is left, next to
+// edges of length 1. The reference is the contour integral with 30 digits.
+TEST(Degenerate, AnEdgeThatClippingLeftTiny)
+{
+  const Polygon large{ { -0.18917218527336288, 0.34912397144548468, 1.1696523449106964 },
+    { 1.1076861443796551, -0.54282596835956387, -0.06427787098133475 },
+    { 0.18917218527336288, -0.34912397144548468, -1.1696523449106964 },
+    { -1.1076861443796551, 0.54282596835956387, 0.06427787098133475 } };
+  const Polygon narrow{ { -0.18917171337811503, 0.34912288315290618, 1.1696508701406345 },
+    { -0.54448348815078873, 0.49629128514782722, 0.98796912045696028 },
+    { -0.54445135820577395, 0.49625706346748344, 0.98787856376744687 },
+    { -0.18913958343310017, 0.3490886614725624, 1.169560313451121 } };
+  const Polygon sliver{ Centroid(narrow), narrow[0], narrow[1] };
+  // The plane of a sliver of 1 : 20,000 is known to 1e-12; its grazing light to 1e-7 or so.
+  const double expected = 5.66108063700754e-8;
+  EXPECT_NEAR(Throughput(large, sliver, Accuracy::Reference) / expected, 1.0, 1e-6);
+  EXPECT_NEAR(Throughput(large, sliver) / expected, 1.0, 1e-5);
+}
+
 // Rounding must not open a slit between the two sides of a wall, nor between parts of one plane.
 TEST(Degenerate, TheSidesOfAWallDoNotSeeEachOther)
 {
