@@ -40,16 +40,6 @@ void ViewWeights::FollowSplit(const ElementTree& tree, NodeId node)
   this->HandDown(tree, node);
 }
 
-double ViewWeights::Total() const
-{
-  double total = 0.0;
-  for (const ViewSample& s : this->Samples)
-  {
-    total += s.weight;
-  }
-  return total;
-}
-
 std::size_t ViewWeights::Bytes() const
 {
   return this->Samples.capacity() * sizeof(ViewSample) + this->Ranges.capacity() * sizeof(Range) +

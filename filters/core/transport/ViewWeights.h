@@ -35,9 +35,6 @@ public:
     return this->Weights[node] / tree[node].area;
   }
 
-  /// Sum of all weights: the projected solid angle of what the eye sees.
-  double Total() const;
-
   std::size_t Bytes() const;
 
 private:

@@ -57,7 +57,6 @@ TEST(ViewWeights, SplittingBeforeOrAfterIsTheSame)
     }
   }
   EXPECT_NEAR(sumOfLeaves, total, 1e-10 * total);
-  EXPECT_NEAR(fresh.Total(), total, 1e-10 * total);
 }
 
 } // namespace
