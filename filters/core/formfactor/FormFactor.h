@@ -44,8 +44,8 @@ double Throughput(const Polygon& a, const Polygon& b, Accuracy accuracy = Accura
 /// A tenth of a millisecond for one occluder, O(2^k) in the number k of occluders whose shadows
 /// overlap; the work is bounded, so many fine shadows end with less accuracy. Occluders much
 /// smaller than a that hang close above it may fall between the quadrature points: of 200 of a
-/// twentieth of its size, 29 missed the default accuracy, the worst with 4e-3. \pre at most
-/// Polygon::Capacity - 1 vertices each for a and b
+/// twentieth of its size, 29 missed the default accuracy, the worst with 4e-3.
+/// \pre at most Polygon::Capacity - 1 vertices each for a and b
 double VisibleThroughput(const Polygon& a, const Polygon& b, const std::vector<Polygon>& occluders,
   Accuracy accuracy = Accuracy::Default);
 
