@@ -29,7 +29,7 @@ struct SolverSettings
   Granularity granularity = Granularity::Patch;
   RefinementSettings refinement;
   Accuracy accuracy = Accuracy::Default;
-  std::uint32_t visibilityRays = 16; ///< a pair that is partly visible, 1 .. 4096
+  std::uint32_t visibilityRays = 16; ///< a pair that is partly visible, 1 .. 1024
   std::uint32_t viewRays = 65536;    ///< cast through the image for the view importance, >= 1
   bool initialPhase = true;          ///< methods without importance: direct light of all emitters
                                      ///< first, subdivided at shadow boundaries
