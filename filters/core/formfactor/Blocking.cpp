@@ -1,10 +1,9 @@
 #include "core/formfactor/Blocking.h"
 
-#include "core/math/Sampling.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace vantage
 {
@@ -74,25 +73,34 @@ Range RangeOf(const Plane& plane, const Polygon& p)
   return range;
 }
 
+/// The plane through edge i of p and a point, which may be on either side of p.
+std::optional<Plane> ThroughEdge(const Polygon& p, int i, const Vec3& point)
+{
+  const Vec3 normal = glm::cross(p[(i + 1) % p.Size()] - p[i], point - p[i]);
+  const double length = glm::length(normal);
+  if (length == 0.0)
+  {
+    return std::nullopt;
+  }
+  return Plane{ normal / length, glm::dot(normal, p[i]) / length };
+}
+
 /// Whether a plane through an edge of a and a vertex of b has both on one side and the occluder on
 /// the other: these planes are the sides of the hull of a and b.
 bool SideOfHullParts(const Polygon& a, const Polygon& b, const Polygon& occluder, double tolerance)
 {
   for (int i = 0; i < a.Size(); ++i)
   {
-    const Vec3 along = a[(i + 1) % a.Size()] - a[i];
     for (const Vec3& v : b)
     {
-      const Vec3 normal = glm::cross(along, v - a[i]);
-      const double length = glm::length(normal);
-      if (length == 0.0)
+      const std::optional<Plane> side = ThroughEdge(a, i, v);
+      if (!side)
       {
         continue;
       }
-      const Plane side{ normal / length, glm::dot(normal, a[i]) / length };
-      const Range ofA = RangeOf(side, a);
-      const Range ofB = RangeOf(side, b);
-      const Range ofOccluder = RangeOf(side, occluder);
+      const Range ofA = RangeOf(*side, a);
+      const Range ofB = RangeOf(*side, b);
+      const Range ofOccluder = RangeOf(*side, occluder);
       const bool below = std::max(ofA.most, ofB.most) <= tolerance;
       const bool above = std::min(ofA.least, ofB.least) >= -tolerance;
       if ((below && ofOccluder.least >= -tolerance) || (above && ofOccluder.most <= tolerance))
@@ -102,6 +110,54 @@ bool SideOfHullParts(const Polygon& a, const Polygon& b, const Polygon& occluder
     }
   }
   return false;
+}
+
+/// Where b is, as seen from the occluder's side of a plane between or beside them.
+enum class SideOfB
+{
+  Behind,
+  InFront
+};
+
+/// Adds the planes through an edge of one and a vertex of the other polygon that have the occluder
+/// in front and b where it is asked for. One and other are b and the occluder or the reverse.
+void AddTangents(const Polygon& one, const Polygon& other, const Polygon& b,
+  const Polygon& occluder, SideOfB side, double tolerance, std::vector<Plane>& planes)
+{
+  for (int i = 0; i < one.Size(); ++i)
+  {
+    for (const Vec3& v : other)
+    {
+      const std::optional<Plane> plane = ThroughEdge(one, i, v);
+      if (!plane)
+      {
+        continue;
+      }
+      const Range ofOccluder = RangeOf(*plane, occluder);
+      Range ofB = RangeOf(*plane, b);
+      if (side == SideOfB::Behind)
+      {
+        ofB = { -ofB.most, -ofB.least };
+      }
+      if (ofB.least >= -tolerance && ofOccluder.least >= -tolerance)
+      {
+        planes.push_back(*plane);
+      }
+      else if (ofB.most <= tolerance && ofOccluder.most <= tolerance)
+      {
+        planes.push_back({ -plane->normal, -plane->offset });
+      }
+    }
+  }
+}
+
+std::vector<Plane> Tangents(
+  const Polygon& b, const Polygon& occluder, SideOfB side, double tolerance)
+{
+  std::vector<Plane> planes;
+  AddTangents(b, occluder, b, occluder, side, tolerance, planes);
+  AddTangents(occluder, b, b, occluder, side, tolerance, planes);
+  return planes;
 }
 
 } // namespace
@@ -151,38 +207,14 @@ Blocking BlockingBetween(
   return beside ? Blocking::None : Blocking::Partial;
 }
 
-double PenumbraWidth(const Plane& ground, const Polygon& b, const Polygon& occluder)
+std::vector<Plane> PenumbraSides(const Polygon& b, const Polygon& occluder, double tolerance)
 {
-  constexpr int directions = 8;
-  const Frame frame(ground.normal);
-  std::array<Range, directions> ranges;
-  for (const Vec3& y : b)
-  {
-    const double heightB = ground.Distance(y);
-    for (const Vec3& v : occluder)
-    {
-      const double height = ground.Distance(v);
-      if (height >= heightB)
-      {
-        return std::numeric_limits<double>::infinity();
-      }
-      const Vec3 shadow = y + (heightB / (heightB - height)) * (v - y);
-      for (int k = 0; k < directions; ++k)
-      {
-        const double angle = k * Pi / directions;
-        const double along =
-          glm::dot(shadow, std::cos(angle) * frame.x + std::sin(angle) * frame.y);
-        ranges[k].least = std::min(ranges[k].least, along);
-        ranges[k].most = std::max(ranges[k].most, along);
-      }
-    }
-  }
-  double width = std::numeric_limits<double>::infinity();
-  for (const Range& range : ranges)
-  {
-    width = std::min(width, range.most - range.least);
-  }
-  return width;
+  return Tangents(b, occluder, SideOfB::Behind, tolerance);
+}
+
+std::vector<Plane> UmbraSides(const Polygon& b, const Polygon& occluder, double tolerance)
+{
+  return Tangents(b, occluder, SideOfB::InFront, tolerance);
 }
 
 } // namespace vantage

@@ -2,6 +2,8 @@
 
 #include "core/math/Polygon.h"
 
+#include <vector>
+
 /// \file Blocking.h
 /// How an occluder stands between two polygons, without sampling.
 
@@ -22,9 +24,14 @@ enum class Blocking
 Blocking BlockingBetween(
   const Polygon& a, const Polygon& b, const Polygon& occluder, double tolerance);
 
-/// Width, in the narrowest direction, of the area on the ground from which the occluder hides
-/// something of b; infinite when that area is. What varies on the ground varies over such lengths.
-/// \pre the occluder and b are in front of the ground
-double PenumbraWidth(const Plane& ground, const Polygon& b, const Polygon& occluder);
+/// The planes between b and an occluder that go through an edge of one and a vertex of the other,
+/// with the occluder in front. From behind one of them the occluder hides nothing of b; from a
+/// point in front of all of them it hides something, if it is not behind b.
+std::vector<Plane> PenumbraSides(const Polygon& b, const Polygon& occluder, double tolerance);
+
+/// The planes through an edge of one and a vertex of the other that have both b and the occluder in
+/// front. From a point beyond the occluder and in front of all of them it hides all of b; from
+/// behind one of them, some of b is seen past it.
+std::vector<Plane> UmbraSides(const Polygon& b, const Polygon& occluder, double tolerance);
 
 } // namespace vantage

@@ -3,6 +3,7 @@
 #include "core/formfactor/FormFactor.h"
 #include "core/formfactor/Subdivision.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vantage
@@ -45,6 +46,24 @@ ShadowCone ConeThrough(const Vec3& x, const Polygon& occluder)
   return cone;
 }
 
+bool Overlap(const Polygon& p, const ShadowCone& cone)
+{
+  for (int i = 0; i < cone.count; ++i)
+  {
+    const Plane& side = cone.sides[i];
+    if (std::none_of(p.begin(), p.end(), [&](const Vec3& v) { return side.Distance(v) > 0.0; }))
+    {
+      return false;
+    }
+  }
+  Polygon inside = p;
+  for (int i = 0; i < cone.count && !inside.Empty(); ++i)
+  {
+    inside = ClipToFront(inside, cone.sides[i]);
+  }
+  return !inside.Empty();
+}
+
 /// What one point sees. The pieces are made, measured and dropped one after the other.
 class View
 {
@@ -85,6 +104,11 @@ private:
       // Clipping adds vertices, and a polygon has room for a few only.
       const std::array<Polygon, 2> halves = InHalves(piece);
       return this->Seen(halves[0], first) + this->Seen(halves[1], first);
+    }
+    if (first + 1 < this->Cones.size() && !Overlap(piece, cone))
+    {
+      // Cutting it along the sides would only make more pieces for the next cones to cut.
+      return this->Seen(piece, first + 1);
     }
     double seen = 0.0;
     Polygon rest = piece;

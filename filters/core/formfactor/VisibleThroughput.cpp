@@ -13,23 +13,30 @@ namespace vantage
 namespace
 {
 
+/// Two coarse rules may agree by chance or miss the same small feature. A coarse result survives a
+/// few of these; among the thousands of cells of a fine one they are certain to occur.
 struct Goal
 {
   double error;    ///< relative, of the whole
   Accuracy pieces; ///< of the throughput of cells that see all of b
-  int cells;       ///< made at most: what has been reached by then is returned
+  int cells;       ///< made at most, about: what has been reached by then is returned
+  int leastLevel;  ///< cells are split in four this often before their error estimate counts
+  double gain;     ///< then the error of a quarter is at least this part of that of the cell
 };
 
 constexpr Goal GoalOf(Accuracy accuracy)
 {
-  return accuracy == Accuracy::Default ? Goal{ 5e-5, Accuracy::Default, 1 << 14 }
-                                       : Goal{ 5e-7, Accuracy::Reference, 1 << 18 };
+  // Along a kink the error of a quarter is an eighth of that of the cell.
+  return accuracy == Accuracy::Default ? Goal{ 5e-5, Accuracy::Default, 1 << 14, 2, 0.0 }
+                                       : Goal{ 5e-7, Accuracy::Reference, 1 << 18, 4, 1.0 / 64.0 };
 }
 
-// Cells that an occluder shades in part are split this often before their error estimate counts:
-// two coarse rules may miss the same small shadow.
-constexpr int LeastLevel = 2;
 constexpr int PointsPerSide = 3;
+
+// A penumbra that covers less of a cell than this, or a rim of as little around an umbra, may lie
+// between the points in the cell and in its quarters. The light that it may hide, or let pass,
+// counts as error, and the cell is cut along its sides.
+constexpr double LeastCover = 0.25;
 
 // The error of what is seen of a pair that is hidden but for a smaller part than this may be
 // relative to this part: cracks of light would cost more than all other pairs together.
@@ -46,8 +53,10 @@ struct Cell
   Polygon shape;
   std::vector<int> occluders; ///< those that shade it in part
   double value = 0.0;
-  double error = 0.0; ///< estimate
-  int level = 0;
+  double error = 0.0;  ///< estimate
+  double missed = 0.0; ///< about what may be hidden or seen in parts that cover little of the cell
+  int toCutOut = -1;   ///< the region with the largest of these parts, if any
+  int level = 0;       ///< how often it was split in four
 };
 
 bool SmallerError(const Cell& one, const Cell& other)
@@ -69,6 +78,11 @@ public:
     , Target(goal)
     , Unoccluded(unoccluded)
   {
+    for (const Polygon& occluder : this->Occluders)
+    {
+      this->Regions.push_back(PenumbraSides(pair.b, occluder, Touching));
+      this->Regions.push_back(UmbraSides(pair.b, occluder, Touching));
+    }
   }
 
   double Integrate();
@@ -77,11 +91,15 @@ private:
   std::vector<Polygon> FirstCells() const;
   Cell MakeCell(const Polygon& shape, const std::vector<int>& candidates) const;
   double Cubature(const Polygon& shape, const std::vector<int>& occluders) const;
+  Polygon InRegion(const Polygon& shape, int region, std::vector<Polygon>& rest) const;
+  void FindMissed(Cell& cell) const;
+  std::vector<Polygon> Parts(const Cell& cell) const;
   void Add(Cell cell);
   void SplitWorst();
 
   const FacingPair& Pair;
   std::vector<Polygon> Occluders;
+  std::vector<std::vector<Plane>> Regions; ///< of occluder i: 2 i its penumbra, 2 i + 1 its umbra
   Goal Target;
   double Unoccluded;
   std::vector<Cell> Heap; ///< cells whose values are not certain, the largest error first
@@ -148,6 +166,57 @@ double VisibleIntegral::Cubature(const Polygon& shape, const std::vector<int>& o
   return sum;
 }
 
+/// The part of the shape in a region that it reaches into. What is cut off is added to `rest`.
+Polygon VisibleIntegral::InRegion(
+  const Polygon& shape, int region, std::vector<Polygon>& rest) const
+{
+  Polygon inside = shape;
+  for (const Plane& side : this->Regions[region])
+  {
+    const bool allInFront = std::all_of(inside.begin(), inside.end(),
+      [&side](const Vec3& v) { return side.Distance(v) >= -Touching; });
+    if (allInFront || inside.Size() == Polygon::Capacity)
+    {
+      continue; // without room for one more vertex, more than the region is taken
+    }
+    const Polygon front = ClipToFront(inside, side, Touching);
+    const Polygon back = ClipToFront(inside, { -side.normal, -side.offset }, Touching);
+    if (!front.Empty() && !back.Empty())
+    {
+      rest.push_back(back);
+      inside = front;
+    }
+  }
+  return inside;
+}
+
+void VisibleIntegral::FindMissed(Cell& cell) const
+{
+  const double area = Area(cell.shape);
+  double missed = 0.0;
+  double most = 0.0;
+  std::vector<Polygon> rest;
+  for (const int i : cell.occluders)
+  {
+    for (const int region : { 2 * i, 2 * i + 1 })
+    {
+      rest.clear();
+      const double covered = Area(this->InRegion(cell.shape, region, rest));
+      const double small = region == 2 * i || rest.empty() ? covered : area - covered;
+      if (small < LeastCover * area)
+      {
+        missed += small;
+        cell.toCutOut = small > most ? region : cell.toCutOut;
+        most = std::max(most, small);
+      }
+    }
+  }
+  if (missed > 0.0)
+  {
+    cell.missed = missed * PointToPolygon(Centroid(cell.shape), this->Pair.normalA, this->Pair.b);
+  }
+}
+
 Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& candidates) const
 {
   Cell cell;
@@ -167,7 +236,28 @@ Cell VisibleIntegral::MakeCell(const Polygon& shape, const std::vector<int>& can
   }
   cell.value = cell.occluders.empty() ? Throughput(shape, this->Pair.b, this->Target.pieces)
                                       : this->Cubature(shape, cell.occluders);
+  this->FindMissed(cell);
   return cell;
+}
+
+/// What to make of a cell that is not good enough.
+std::vector<Polygon> VisibleIntegral::Parts(const Cell& cell) const
+{
+  if (cell.toCutOut < 0)
+  {
+    const std::array<Polygon, 4> quarters = InFour(cell.shape);
+    return { quarters.begin(), quarters.end() };
+  }
+  std::vector<Polygon> pieces;
+  const Polygon inside = this->InRegion(cell.shape, cell.toCutOut, pieces);
+  pieces.push_back(inside);
+  std::vector<Polygon> parts;
+  for (const Polygon& piece : pieces)
+  {
+    const std::vector<Polygon> few = InQuadrilaterals(piece);
+    parts.insert(parts.end(), few.begin(), few.end());
+  }
+  return parts;
 }
 
 void VisibleIntegral::Add(Cell cell)
@@ -190,20 +280,26 @@ void VisibleIntegral::SplitWorst()
   this->Heap.pop_back();
   this->Uncertain -= parent.value;
   this->Error -= parent.error;
-  std::array<Cell, 4> children;
-  const std::array<Polygon, 4> shapes = InFour(parent.shape);
+  const bool inFour = parent.toCutOut < 0;
+  const bool hasEstimate = inFour && parent.level >= this->Target.leastLevel;
+  const double least = hasEstimate ? this->Target.gain * parent.error : 0.0;
+  std::vector<Cell> children;
   double change = -parent.value;
-  for (int i = 0; i < 4; ++i)
+  int uncertain = 0;
+  for (const Polygon& shape : this->Parts(parent))
   {
-    children[i] = this->MakeCell(shapes[i], parent.occluders);
-    children[i].level = parent.level + 1;
-    change += children[i].value;
+    children.push_back(this->MakeCell(shape, parent.occluders));
+    change += children.back().value;
+    uncertain += children.back().occluders.empty() ? 0 : 1;
   }
+  // Where the integrand is smooth the change is far more than the error that is left.
+  const double share = std::abs(change) / std::max(uncertain, 1);
   for (Cell& child : children)
   {
-    // Where the integrand is smooth the change is far more than the error that is left.
-    child.error =
-      child.level < LeastLevel ? child.value + std::abs(change) : 0.25 * std::abs(change);
+    child.level = parent.level + (inFour ? 1 : 0);
+    child.error = child.level < this->Target.leastLevel ? child.value + std::abs(change)
+                                                        : std::max(share, least);
+    child.error += child.missed;
     this->Add(std::move(child));
   }
 }

@@ -16,8 +16,9 @@ enum class Kind
   General, ///< any distance, partly behind each other
   SharedVertex,
   SharedEdge,
-  NearlyCoincident,
-  Sliver
+  NearlyCoincident, ///< 1e-4 apart, at an angle of up to 0.01, so that some cut each other
+  Sliver,           ///< 1 : 1000
+  TouchingSliver
 };
 
 struct Pair
@@ -39,11 +40,13 @@ Pair MakePair(Kind kind, std::uint64_t seed)
   RandomStream random(seed, static_cast<int>(kind));
   const Vec3 normalA = RandomDirection(random);
   const Vec3 normalB = RandomDirection(random);
-  const double aspect = kind == Kind::Sliver ? 1e-3 : 0.2 + 0.8 * random.Next();
+  const bool isSliver = kind == Kind::Sliver || kind == Kind::TouchingSliver;
+  const double aspect = isSliver ? 1e-3 : 0.2 + 0.8 * random.Next();
   const Polygon a = RandomPolygon(random, Vec3(0.0), normalA, aspect);
   switch (kind)
   {
     case Kind::SharedVertex:
+    case Kind::TouchingSliver:
     {
       const Polygon b = RandomPolygon(random, Vec3(0.0), normalB, 0.7);
       return { a, Shifted(b, a[1] - b[0]) };
@@ -61,7 +64,9 @@ Pair MakePair(Kind kind, std::uint64_t seed)
     }
     case Kind::NearlyCoincident:
     {
-      const Polygon b = RandomPolygon(random, Vec3(0.0), -normalA, 0.8);
+      const double tilt = std::pow(10.0, -2.0 - 3.0 * random.Next());
+      const Polygon b = RandomPolygon(
+        random, Vec3(0.0), glm::normalize(-normalA + tilt * RandomDirection(random)), 0.8);
       const Vec3 aside = 0.5 * glm::cross(normalA, RandomDirection(random));
       return { a, Shifted(b, 1e-4 * normalA + aside) };
     }
@@ -77,7 +82,7 @@ Pair MakePair(Kind kind, std::uint64_t seed)
 const char* NameOf(Kind kind)
 {
   constexpr const char* names[] = { "General", "SharedVertex", "SharedEdge", "NearlyCoincident",
-    "Sliver" };
+    "Sliver", "TouchingSliver" };
   return names[static_cast<int>(kind)];
 }
 
@@ -164,8 +169,8 @@ TEST_P(RandomPairs, AddUpOverTheParts)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RandomPairs,
-  testing::Values(
-    Kind::General, Kind::SharedVertex, Kind::SharedEdge, Kind::NearlyCoincident, Kind::Sliver),
+  testing::Values(Kind::General, Kind::SharedVertex, Kind::SharedEdge, Kind::NearlyCoincident,
+    Kind::Sliver, Kind::TouchingSliver),
   [](const testing::TestParamInfo<Kind>& info) { return NameOf(info.param); });
 
 // The ladder has rungs of its own for each distance; the finest rung checks them all.

@@ -113,5 +113,118 @@ TEST(OccludedPairs, AddUpOverTheParts)
   }
 }
 
+/// What the light through a point with normal n brings from a to b: the part of b that the point
+/// sees straight behind it when looking at a.
+double BehindPoint(const Vec3& x, const Vec3& n, const Polygon& a, const Polygon& b)
+{
+  Polygon rest = b;
+  for (int i = 0; i < a.Size(); ++i)
+  {
+    const Vec3 across = glm::normalize(glm::cross(a[(i + 1) % a.Size()] - a[i], a[i] - x));
+    const double side = glm::dot(across, Centroid(a) - x) > 0.0 ? -1.0 : 1.0;
+    rest = ClipToFront(rest, { side * across, side * glm::dot(across, x) });
+  }
+  return PointToPolygon(x, n, rest);
+}
+
+/// The same for all points of a polygon, on a grid that is fine where halving it changes the sum.
+double Through(const Polygon& quad, const Vec3& n, const Polygon& a, const Polygon& b,
+  double tolerance, int level)
+{
+  const auto rule = [&](const Polygon& q)
+  {
+    // Gauss, three points a side: exact to the fifth degree.
+    const double nodes[] = { 0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15) };
+    const double weights[] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
+    double sum = 0.0;
+    for (int i = 0; i < 9; ++i)
+    {
+      const Vec2 uv(nodes[i / 3], nodes[i % 3]);
+      sum += weights[i / 3] * weights[i % 3] * AreaElementAt(q, uv) *
+             BehindPoint(PointAt(q, uv), n, a, b);
+    }
+    return sum;
+  };
+  const std::vector<Polygon> quarters = Quartered(quad);
+  double sum = 0.0;
+  for (const Polygon& quarter : quarters)
+  {
+    sum += rule(quarter);
+  }
+  if ((level >= 3 && std::abs(sum - rule(quad)) < tolerance) || level >= 12)
+  {
+    return sum;
+  }
+  sum = 0.0;
+  for (const Polygon& quarter : quarters)
+  {
+    sum += Through(quarter, n, a, b, 0.5 * tolerance, level + 1);
+  }
+  return sum;
+}
+
+void ExpectTheRest(const Polygon& occluder, double hidden)
+{
+  const double expected = Throughput(Floor(), Ceiling(1), Accuracy::Reference) - hidden;
+  EXPECT_NEAR(VisibleThroughput(Floor(), Ceiling(1), { occluder }) / expected, 1.0, 1e-4);
+  const double fine = VisibleThroughput(Floor(), Ceiling(1), { occluder }, Accuracy::Reference);
+  EXPECT_NEAR(fine / expected, 1.0, 1e-6);
+}
+
+const Frame Level(Vec3(0, 0, 1));
+
+// Close above a floor that reaches farther than its shadows, an occluder takes away exactly what it
+// would itself receive from the ceiling.
+TEST(SmallOccluders, TakeAwayWhatTheyReceive)
+{
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    RandomStream random(seed, 3);
+    const double x = 0.2 + 0.6 * random.Next();
+    const double y = 0.2 + 0.6 * random.Next();
+    const double radius = 0.03 + 0.05 * random.Next();
+    const Polygon small = Regular(Vec3(x, y, 0.05), Level, radius, 5, random.Next());
+    ExpectTheRest(small, Throughput(small, Ceiling(1), Accuracy::Reference));
+  }
+}
+
+// Anywhere between floor and ceiling, and across their borders, an occluder takes away the light
+// that would pass through it.
+TEST(SmallOccluders, TakeAwayWhatPassesThroughThem)
+{
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    RandomStream random(seed, 11);
+    const double x = random.Next();
+    const double y = random.Next();
+    const double z = 0.1 + 0.8 * random.Next();
+    const double radius = 0.02 + 0.06 * random.Next();
+    const Frame frame(RandomDirection(random));
+    const Polygon small = Regular(Vec3(x, y, z), frame, radius, 4, random.Next());
+    const double hidden = Through(small, frame.z, Floor(), Ceiling(1), 1e-9, 0) +
+                          Through(small, -frame.z, Floor(), Ceiling(1), 1e-9, 0);
+    ExpectTheRest(small, hidden);
+  }
+}
+
+// Close under the ceiling, an occluder leaves rims of light beside shadows that are complete.
+TEST(LargeOccluders, LeaveWhatPassesBesideThem)
+{
+  for (std::uint64_t seed = 0; seed < 30; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    RandomStream random(seed, 13);
+    const Vec3 centre(random.Next(), random.Next(), 0.93 + 0.05 * random.Next());
+    const double radius = 0.2 + 0.3 * random.Next();
+    const Polygon large = Regular(centre, Level, radius, 4, random.Next());
+    const double hidden = Through(large, Level.z, Floor(), Ceiling(1), 1e-9, 0) +
+                          Through(large, -Level.z, Floor(), Ceiling(1), 1e-9, 0);
+    const double expected = Throughput(Floor(), Ceiling(1), Accuracy::Reference) - hidden;
+    EXPECT_NEAR(VisibleThroughput(Floor(), Ceiling(1), { large }) / expected, 1.0, 1e-4);
+  }
+}
+
 } // namespace
 } // namespace vantage
