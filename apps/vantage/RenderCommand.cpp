@@ -76,9 +76,8 @@ double FractionDone(const StepReport& step, const Budget& budget)
   const double bySteps = static_cast<double>(step.step) / static_cast<double>(budget.steps);
   const double byTime = step.seconds / budget.seconds;
   const double goal = std::max(budget.error, 1e-13);
-  const double byError = step.relativeUnshot < 1.0
-                           ? std::log(std::max(step.relativeUnshot, goal)) / std::log(goal)
-                           : 0.0;
+  const double byError =
+    step.errorEstimate < 1.0 ? std::log(std::max(step.errorEstimate, goal)) / std::log(goal) : 0.0;
   return std::max({ bySteps, byTime, byError });
 }
 
@@ -103,6 +102,16 @@ void Warn(const RenderOptions& options, const std::vector<std::string>& warnings
   }
 }
 
+Image GatherImage(
+  const RenderOptions& options, const Solver& solver, const Camera& camera, RenderReport& report)
+{
+  GatheredView view = solver.Gather(camera, options.MakeGatherSettings(camera));
+  report.gather = view.report;
+  report.rays += view.report.primaryRays + view.report.shadowRays + view.report.gatherRays;
+  report.errorEstimate = std::hypot(report.errorEstimate, view.report.errorEstimate);
+  return std::move(view.radiance);
+}
+
 Image RenderWithSolver(
   const RenderOptions& options, Scene scene, const Camera& camera, RenderReport& report)
 {
@@ -113,22 +122,24 @@ Image RenderWithSolver(
   report.buildSeconds = watch.Lap();
   Solve(solver, options);
   report.solveSeconds = watch.Lap();
-  Image image;
-  if (options.WantsImage())
-  {
-    image = solver.Render(camera, options.MakeImageSettings(camera));
-  }
-  report.imageSeconds = watch.Lap();
   if (!solver.History().empty())
   {
     const StepReport& last = solver.History().back();
     report.viewFlux = last.viewFlux;
-    report.errorEstimate = last.relativeUnshot;
+    report.errorEstimate = last.errorEstimate;
     report.elements = last.elements;
     report.interactions = last.interactions;
-    report.rays = last.rays;
+    report.work = last.work;
+    report.rays = last.work.Rays();
     report.steps = last.step;
   }
+  Image image;
+  if (options.WantsImage())
+  {
+    image = options.IsGathered() ? GatherImage(options, solver, camera, report)
+                                 : solver.Render(camera, options.MakeImageSettings(camera));
+  }
+  report.imageSeconds = watch.Lap();
   WriteSolution(options, solver);
   return image;
 }

@@ -79,6 +79,10 @@ void DeclareSolver(CLI::App& command, RenderOptions& options)
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command
+    .add_flag("--importance,!--no-importance", solver.importance,
+      "Goal-oriented: refine for the view, or for all surfaces alike")
+    ->capture_default_str();
+  command
     .add_flag("--initial-phase,!--no-initial-phase", solver.initialPhase,
       "Direct light of all emitters first")
     ->capture_default_str();
@@ -116,6 +120,11 @@ bool RenderOptions::IsPathTracing() const
   return this->method == PathTracingName;
 }
 
+bool RenderOptions::IsGathered() const
+{
+  return this->method == NameOf(Method::GoalOriented);
+}
+
 void RenderOptions::Resolve()
 {
   const std::vector<std::string> methods = AllMethodNames();
@@ -149,6 +158,11 @@ void RenderOptions::Resolve()
   if (this->IsPathTracing() && this->error)
   {
     throw InputError("--error: path-tracing does not stop at an error; give --steps or --time");
+  }
+  if (this->IsGathered() && (this->samplesPerPixel || this->flat))
+  {
+    throw InputError("--samples-per-pixel and --flat: the image of goal-oriented is gathered, not "
+                     "drawn from elements; drop them or choose another --method");
   }
   this->CheckOutputs();
 }
@@ -231,6 +245,18 @@ ElementImageSettings RenderOptions::MakeImageSettings(const Camera& camera) cons
   settings.samplesPerPixel = this->samplesPerPixel.value_or(settings.samplesPerPixel);
   settings.pixelCentres = this->pixelCentres;
   settings.flat = this->flat;
+  settings.seed = this->solver.seed;
+  return settings;
+}
+
+GatherSettings RenderOptions::MakeGatherSettings(const Camera& camera) const
+{
+  const ElementImageSettings image = this->MakeImageSettings(camera);
+  GatherSettings settings;
+  settings.width = image.width;
+  settings.height = image.height;
+  settings.error = std::clamp(GatherShare * this->error.value_or(DefaultError), 1e-4, 1.0);
+  settings.pixelCentres = this->pixelCentres;
   settings.seed = this->solver.seed;
   return settings;
 }

@@ -35,7 +35,7 @@ struct RenderOptions
   std::optional<double> fieldOfView;
   std::optional<std::array<int, 2>> size;
 
-  std::string method = NameOf(Method::ImportanceShooting);
+  std::string method = NameOf(SolverSettings().method);
   std::string granularity = NameOf(Granularity::Patch);
   std::string oracle = NameOf(RefinementOracle::BF);
   SolverSettings solver;
@@ -51,6 +51,8 @@ struct RenderOptions
   bool quiet = false;
 
   bool IsPathTracing() const;
+  /// Whether the image is gathered from the solution, not drawn from its elements.
+  bool IsGathered() const;
   /// Looks the names up and checks everything that can be checked without the scene: names,
   /// numbers, suffixes, and whether the outputs can be written.
   /// \throw InputError for the first thing that is wrong.
@@ -60,6 +62,7 @@ struct RenderOptions
 
   Budget MakeBudget() const;
   ElementImageSettings MakeImageSettings(const Camera& camera) const;
+  GatherSettings MakeGatherSettings(const Camera& camera) const;
   PathTracerSettings MakePathTracerSettings() const;
   /// The camera of that name, else the first of the scene, changed by --eye and the like; its
   /// aspect ratio is that of the image. \throw InputError

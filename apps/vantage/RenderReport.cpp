@@ -22,6 +22,10 @@ std::int64_t PeakMemoryBytes()
 
 std::string PrintReport(const RenderReport& report)
 {
+  nlohmann::ordered_json work = nlohmann::ordered_json::object();
+  ForEachCounter(
+    report.work, [&work](const char* name, std::uint64_t count) { work[name] = count; });
+  const GatherReport& gather = report.gather;
   const nlohmann::ordered_json json = {
     { "method", report.method },
     { "viewFlux", report.viewFlux },
@@ -30,6 +34,13 @@ std::string PrintReport(const RenderReport& report)
     { "interactions", report.interactions },
     { "rays", report.rays },
     { "steps", report.steps },
+    { "work", work },
+    { "gather",
+      { { "primaryRays", gather.primaryRays }, { "primaryLooks", gather.primaryLooks },
+        { "viewPoints", gather.viewPoints }, { "lampEvaluations", gather.lampEvaluations },
+        { "cutEvaluations", gather.cutEvaluations }, { "occluderQueries", gather.occluderQueries },
+        { "shadowRays", gather.shadowRays }, { "gatherPoints", gather.gatherPoints },
+        { "gatherRays", gather.gatherRays } } },
     { "seconds", { { "load", report.loadSeconds }, { "build", report.buildSeconds },
                    { "solve", report.solveSeconds }, { "image", report.imageSeconds },
                    { "total", report.totalSeconds } } },
@@ -41,17 +52,23 @@ std::string PrintReport(const RenderReport& report)
 
 std::string PrintHistory(const std::vector<StepReport>& history)
 {
-  std::string text = "step,phase,patch,viewFlux,unshotViewFlux,unshotPower,relativeUnshot,elements,"
-                     "interactions,evaluations,rays,seconds\n";
+  std::string text = "step,phase,patch,viewFlux,unshotViewFlux,unshotPower,errorEstimate,elements,"
+                     "interactions,evaluations,rays,seconds";
+  ForEachCounter(
+    WorkCounters(), [&text](const char* name, std::uint64_t) { text += std::string(",") + name; });
+  text += '\n';
   for (const StepReport& row : history)
   {
     text += std::to_string(row.step) + ',' + row.phase + ',' +
             (row.patch == None ? "-1" : std::to_string(row.patch)) + ',' +
             PrintNumber(row.viewFlux) + ',' + PrintNumber(row.unshotViewFlux) + ',' +
-            PrintNumber(row.unshotPower) + ',' + PrintNumber(row.relativeUnshot) + ',' +
+            PrintNumber(row.unshotPower) + ',' + PrintNumber(row.errorEstimate) + ',' +
             std::to_string(row.elements) + ',' + std::to_string(row.interactions) + ',' +
-            std::to_string(row.evaluations) + ',' + std::to_string(row.rays) + ',' +
-            PrintNumber(row.seconds) + '\n';
+            std::to_string(row.work.Evaluations()) + ',' + std::to_string(row.work.Rays()) + ',' +
+            PrintNumber(row.seconds);
+    ForEachCounter(
+      row.work, [&text](const char*, std::uint64_t count) { text += ',' + std::to_string(count); });
+    text += '\n';
   }
   return text;
 }

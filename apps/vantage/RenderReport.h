@@ -15,10 +15,13 @@ struct RenderReport
 {
   std::string method;
   double viewFlux = 0.0;      ///< W m^-2, mean of channels
-  double errorEstimate = 0.0; ///< StepReport::relativeUnshot; of path tracing, relative noise
+  double errorEstimate = 0.0; ///< StepReport::errorEstimate, with that of the gather where the
+                              ///< image is gathered; of path tracing, relative noise
   std::size_t elements = 0;
   std::size_t interactions = 0;
-  std::uint64_t rays = 0;
+  std::uint64_t rays = 0;  ///< all of them
+  WorkCounters work;       ///< of the solver
+  GatherReport gather;     ///< of the image, where it is gathered
   std::uint64_t steps = 0; ///< of path tracing, samples per pixel
   double loadSeconds = 0.0;
   double buildSeconds = 0.0;

@@ -12,6 +12,7 @@
 namespace vantage
 {
 
+class GoalOrientedTransport;
 class Transport;
 
 /// The leaf elements and what is known of each. All vectors have one entry a polygon of `surface`.
@@ -35,6 +36,9 @@ struct ElementSolution
 struct InteractionRecord
 {
   Vec3 shooterCentre, receiverCentre;
+  /// Level of a cluster of patches, whose patch is None.
+  static constexpr int ClusterLevel = -1;
+
   PatchId shooter, receiver;       ///< patches of the two ends
   int shooterLevel, receiverLevel; ///< 0: the patch itself
   double formFactor;               ///< F shooter -> receiver, sr, visibility included
@@ -46,8 +50,11 @@ struct InteractionRecord
 
 /// All leaf elements. O(nodes + interactions).
 ElementSolution ExtractElements(const Transport& transport, const FacetSet& facets);
+/// What lies in a cluster that was not looked into has the mean of what the cluster received.
+ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets);
 
 /// All active interactions in the order they were made. O(interactions).
 std::vector<InteractionRecord> ExtractInteractions(const Transport& transport);
+std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& transport);
 
 } // namespace vantage

@@ -1,6 +1,7 @@
 #include "core/Solver.h"
 
-#include "core/transport/Schedule.h"
+#include "core/GoalOrientedEngine.h"
+#include "core/ShootingEngine.h"
 #include "core/transport/Solvability.h"
 #include "core/view/ViewImportance.h"
 
@@ -40,10 +41,23 @@ Scene Validated(Scene scene)
   return scene;
 }
 
-TransportSettings TransportPart(const SolverSettings& settings)
+std::unique_ptr<Engine> MakeEngine(const SolverSettings& settings, const Scene& scene,
+  const FacetSet& facets, const OccluderScene& occluders)
 {
   settings.Validate();
-  return { settings.refinement, settings.accuracy, settings.visibilityRays };
+  ElementTree tree(facets, scene.materials);
+  std::vector<PatchOptics> optics = MakeOptics(facets, scene.materials);
+  if (settings.method == Method::GoalOriented)
+  {
+    return std::make_unique<GoalOrientedEngine>(std::move(tree), occluders, std::move(optics),
+      facets.meanArea,
+      GoalOrientedSettings{ settings.visibilityRays, settings.refinement.minimumElementSize,
+        settings.refinement.maximumLevel, settings.importance, settings.seed });
+  }
+  return std::make_unique<ShootingEngine>(std::move(tree), occluders, std::move(optics),
+    facets.meanArea,
+    ShootingSettings{ settings.method, settings.granularity,
+      { settings.refinement, settings.accuracy, settings.visibilityRays }, settings.initialPhase });
 }
 
 double SecondsSince(std::chrono::steady_clock::time_point start)
@@ -91,87 +105,23 @@ struct Solver::Implementation
     : scene(Validated(std::move(givenScene)))
     , settings(givenSettings)
     , facets(BuildFacets(this->scene))
-    , occluders(this->facets)
-    , transport(ElementTree(this->facets, this->scene.materials), this->occluders,
-        MakeOptics(this->facets, this->scene.materials), this->facets.meanArea,
-        TransportPart(givenSettings))
-    , schedule(MakeSchedule(givenSettings.method, givenSettings.granularity, this->transport))
+    , occluders(std::make_shared<const OccluderScene>(this->facets))
+    , engine(MakeEngine(givenSettings, this->scene, this->facets, *this->occluders))
   {
-    this->CollectEmitters();
-  }
-
-  bool UsesImportance() const { return this->settings.method == Method::ImportanceShooting; }
-
-  /// Emitters in the order of the initial phase: the strongest first.
-  void CollectEmitters()
-  {
-    this->pendingEmitters.clear();
-    if (!this->settings.initialPhase || this->UsesImportance())
-    {
-      return;
-    }
-    const ElementTree& tree = this->transport.Tree();
-    const auto power = [&](PatchId p)
-    { return tree[tree.Patches()[p].node].area * Mean(this->transport.OpticsOf(p).emission); };
-    for (PatchId p = 0; p < tree.Patches().size(); ++p)
-    {
-      if (tree.Patches()[p].IsActive() && power(p) > 0.0)
-      {
-        this->pendingEmitters.push_back(p);
-      }
-    }
-    // The next one is at the back.
-    std::stable_sort(this->pendingEmitters.begin(), this->pendingEmitters.end(),
-      [&](PatchId a, PatchId b) { return power(a) < power(b); });
   }
 
   /// One move; false when there is nothing left to do.
   bool Advance()
   {
-    Step step;
-    const bool isInitial = !this->pendingEmitters.empty();
-    if (isInitial)
+    std::optional<StepReport> report = this->engine->Advance();
+    if (!report)
     {
-      step.patch = this->pendingEmitters.back();
-      this->pendingEmitters.pop_back();
+      return false;
     }
-    else
-    {
-      const auto next =
-        this->schedule->Next(this->transport, static_cast<std::uint32_t>(this->steps + 1));
-      if (!next)
-      {
-        return false;
-      }
-      step = *next;
-      ++this->steps;
-    }
-    this->schedule->Perform(this->transport, step, static_cast<std::uint32_t>(this->steps));
-    this->Report(step, isInitial);
+    report->work.viewRays = this->castViewRays;
+    report->seconds = this->secondsBefore + SecondsSince(this->runStart);
+    this->history.push_back(*report);
     return true;
-  }
-
-  void Report(const Step& step, bool isInitial)
-  {
-    const Residual rest = this->schedule->Rest(this->transport);
-    const Color known = this->transport.ViewFluxEstimate();
-    StepReport report;
-    report.step = this->steps;
-    report.phase = isInitial                             ? "initial"
-                   : step.kind == Step::Kind::Gather     ? "gather"
-                   : step.quantity == Quantity::Radiance ? "radiance"
-                                                         : "importance";
-    report.patch = step.patch;
-    report.viewFlux = Mean(known);
-    report.unshotViewFlux = Mean(known - this->transport.ViewFluxReceived());
-    report.unshotPower = rest.unshotPower;
-    report.relativeUnshot = rest.relativeUnshot;
-    report.elements = this->transport.Tree().LeafElementCount();
-    report.interactions = this->transport.Graph().Size();
-    report.evaluations = this->transport.Counters().evaluations;
-    report.rays = this->transport.Counters().rays + this->castViewRays;
-    report.seconds = this->secondsBefore + SecondsSince(this->runStart);
-    this->history.push_back(report);
   }
 
   bool SeesBackSidesOnly(const std::vector<ViewSample>& samples) const
@@ -179,9 +129,27 @@ struct Solver::Implementation
     return std::none_of(samples.begin(), samples.end(),
       [this](const ViewSample& sample)
       {
-        const Patch& patch = this->transport.Tree().Patches()[sample.patch];
+        const Patch& patch = this->engine->Tree().Patches()[sample.patch];
         return this->facets.facets[patch.facet].IsPolygonFront(patch.side);
       });
+  }
+
+  void RequireRunnable(const Budget& budget) const
+  {
+    const std::string method = NameOf(this->settings.method);
+    if (this->engine->NeedsView())
+    {
+      throw InputError(
+        "solver: " + method + " needs a camera; set one, or choose progressive-shooting");
+    }
+    const bool isLimited = budget.error > 0.0 || std::isfinite(budget.seconds) ||
+                           budget.steps < std::numeric_limits<std::uint64_t>::max();
+    if (this->settings.method == Method::GoalOriented && !isLimited)
+    {
+      throw InputError("budget: " + method +
+                       " would refine without end; give an error above zero, "
+                       "a number of steps or a time");
+    }
   }
 
   /// Materials have changed, or nothing has been asked of them yet.
@@ -190,7 +158,7 @@ struct Solver::Implementation
     if (!this->isKnownSolvable)
     {
       RequireSolvable(
-        this->transport.Tree(), this->occluders, MakeOptics(this->facets, this->scene.materials));
+        this->engine->Tree(), *this->occluders, MakeOptics(this->facets, this->scene.materials));
       this->isKnownSolvable = true;
     }
   }
@@ -198,12 +166,9 @@ struct Solver::Implementation
   Scene scene;
   SolverSettings settings;
   FacetSet facets;
-  OccluderScene occluders;
-  Transport transport;
-  std::unique_ptr<Schedule> schedule;
-  std::vector<PatchId> pendingEmitters; ///< of the initial phase
+  std::shared_ptr<const OccluderScene> occluders;
+  std::unique_ptr<Engine> engine;
   std::vector<StepReport> history;
-  std::uint64_t steps = 0;
   std::uint64_t castViewRays = 0;
   bool seesNothing = false;
   bool seesBackSidesOnly = false;
@@ -226,12 +191,11 @@ void Solver::SetCamera(const Camera& camera)
   camera.Validate();
   Implementation& s = *this->Impl;
   std::vector<ViewSample> samples =
-    SampleView(s.occluders, s.transport.Tree(), camera, s.settings.viewRays, s.settings.seed);
+    SampleView(*s.occluders, s.engine->Tree(), camera, s.settings.viewRays, s.settings.seed);
   s.castViewRays += s.settings.viewRays;
   s.seesNothing = samples.empty();
   s.seesBackSidesOnly = !samples.empty() && s.SeesBackSidesOnly(samples);
-  s.transport.SetView(std::move(samples));
-  s.schedule->RestartImportance();
+  s.engine->SetView(std::move(samples));
 }
 
 void Solver::SetMaterials(const std::vector<Material>& materials)
@@ -250,42 +214,32 @@ void Solver::SetMaterials(const std::vector<Material>& materials)
     }
   }
   s.scene = std::move(changed);
-  s.transport.SetOptics(MakeOptics(s.facets, s.scene.materials));
-  s.schedule->RestartImportance();
-  s.schedule->RestartRadiance(s.transport);
+  s.engine->SetOptics(MakeOptics(s.facets, s.scene.materials));
   s.isKnownSolvable = false;
-  s.CollectEmitters();
 }
 
 RunEnd Solver::Run(const Budget& budget, const Observer& observer)
 {
   budget.Validate();
   Implementation& s = *this->Impl;
-  if (s.UsesImportance() && !s.transport.HasView())
-  {
-    throw InputError(
-      "solver: importance-shooting needs a camera; set one, or choose progressive-shooting");
-  }
+  Engine& engine = *s.engine;
+  s.RequireRunnable(budget);
   s.RequireSolvableOnce();
   s.runStart = std::chrono::steady_clock::now();
-  // What the eye sees is expanded first, so that the reported flux never falls.
-  while (SecondsSince(s.runStart) < budget.seconds &&
-         s.transport.ExpandNextVisible(static_cast<std::uint32_t>(s.steps)))
-  {
-  }
-  const double goal = std::max(budget.error, RoundOff);
-  const std::uint64_t firstStep = s.steps;
+  const auto hasTime = [&] { return SecondsSince(s.runStart) < budget.seconds; };
+  engine.Prepare(hasTime);
+  const double share = s.settings.method == Method::GoalOriented ? GoalShare : 1.0;
+  const double goal = std::max(share * budget.error, RoundOff);
+  const std::uint64_t firstStep = engine.Steps();
   RunEnd end = RunEnd::Budget;
   while (true)
   {
-    const bool isInitial = !s.pendingEmitters.empty();
-    if (!isInitial && s.schedule->Rest(s.transport).relativeUnshot <= goal && s.steps > 0)
+    if (engine.IsAtStep() && engine.ErrorEstimate() <= goal)
     {
       end = RunEnd::Converged;
       break;
     }
-    if ((!isInitial && s.steps - firstStep >= budget.steps) ||
-        SecondsSince(s.runStart) >= budget.seconds)
+    if ((engine.IsAtStep() && engine.Steps() - firstStep >= budget.steps) || !hasTime())
     {
       break;
     }
@@ -313,7 +267,7 @@ std::vector<std::string> Solver::Warnings() const
 {
   const Implementation& s = *this->Impl;
   std::vector<std::string> warnings;
-  if (s.transport.EmittedPower() == 0.0)
+  if (s.engine->EmittedPower() == 0.0)
   {
     warnings.push_back("scene: nothing in it emits light; every image will be black");
   }
@@ -336,12 +290,12 @@ std::vector<std::string> Solver::Warnings() const
 
 ElementSolution Solver::Elements() const
 {
-  return ExtractElements(this->Impl->transport, this->Impl->facets);
+  return this->Impl->engine->Elements(this->Impl->facets);
 }
 
 std::vector<InteractionRecord> Solver::Interactions() const
 {
-  return ExtractInteractions(this->Impl->transport);
+  return this->Impl->engine->Interactions();
 }
 
 Image Solver::Render(const Camera& camera, const ElementImageSettings& settings) const
@@ -349,22 +303,33 @@ Image Solver::Render(const Camera& camera, const ElementImageSettings& settings)
   const Implementation& s = *this->Impl;
   const ElementSolution solution = this->Elements();
   return RenderElements(
-    s.occluders, s.transport.Tree(), solution.surface, solution.radiance, camera, settings);
+    *s.occluders, s.engine->Tree(), solution.surface, solution.radiance, camera, settings);
+}
+
+std::shared_ptr<const SolutionSnapshot> Solver::Snapshot() const
+{
+  return std::make_shared<const SolutionSnapshot>(
+    this->Impl->occluders, this->Impl->engine->Radiance());
+}
+
+GatheredView Solver::Gather(const Camera& camera, const GatherSettings& settings) const
+{
+  return this->Snapshot()->Gather(camera, settings);
 }
 
 Color Solver::ViewFluxOfRadiance() const
 {
-  return this->Impl->transport.ViewFluxOfRadiance();
+  return this->Impl->engine->ViewFluxOfRadiance();
 }
 
 Color Solver::ViewFluxOfImportance() const
 {
-  return this->Impl->transport.ViewFluxOfImportance();
+  return this->Impl->engine->ViewFluxOfImportance();
 }
 
 std::size_t Solver::MemoryBytes() const
 {
-  return this->Impl->transport.Bytes();
+  return this->Impl->engine->Bytes();
 }
 
 const Scene& Solver::GetScene() const

@@ -2,6 +2,8 @@
 
 #include "core/Error.h"
 #include "core/Solution.h"
+#include "core/SolutionSnapshot.h"
+#include "core/StepReport.h"
 #include "core/formfactor/FormFactor.h"
 #include "core/math/Image.h"
 #include "core/scene/Scene.h"
@@ -25,15 +27,17 @@ namespace vantage
 /// How the solver works. Changing any of these needs a new solver.
 struct SolverSettings
 {
-  Method method = Method::ImportanceShooting;
-  Granularity granularity = Granularity::Patch;
-  RefinementSettings refinement;
-  Accuracy accuracy = Accuracy::Default;
-  std::uint32_t visibilityRays = 16; ///< a pair that is partly visible, 1 .. 1024
-  std::uint32_t viewRays = 65536;    ///< cast through the image for the view importance, >= 1
-  bool initialPhase = true;          ///< methods without importance: direct light of all emitters
-                                     ///< first, subdivided at shadow boundaries
-  std::uint64_t seed = 1;            ///< of the rays of the view importance
+  Method method = Method::GoalOriented;
+  Granularity granularity = Granularity::Patch; ///< of the shooting methods
+  RefinementSettings refinement; ///< goal-oriented: minimumElementSize and maximumLevel only
+  Accuracy accuracy = Accuracy::Default; ///< of form factors; not of goal-oriented
+  std::uint32_t visibilityRays = 16;     ///< a pair that is partly visible, 1 .. 1024
+  std::uint32_t viewRays = 65536;        ///< cast through the image for the view importance, >= 1
+  bool initialPhase = true; ///< methods without importance: direct light of all emitters
+                            ///< first, subdivided at shadow boundaries
+  bool importance = true;   ///< goal-oriented: false refines for all surfaces alike
+  std::uint64_t seed = 1;   ///< of the rays of the view importance, and of goal-oriented those of
+                            ///< the interactions
 
   /// \throw InputError naming the first value out of range.
   void Validate() const;
@@ -44,28 +48,17 @@ struct Budget
 {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max(); ///< more steps from here
   double seconds = std::numeric_limits<double>::infinity();        ///< more wall-clock time, > 0
-  double error = 0.0; ///< stop when StepReport::relativeUnshot <= error; 0: only at round-off
+  double error = 0.0; ///< stop when StepReport::errorEstimate <= error; 0: only at round-off, which
+                      ///< goal-oriented never reaches
 
   /// \throw InputError when an amount is negative or not a number.
   void Validate() const;
 };
 
-/// One line of history.
-struct StepReport
-{
-  std::uint64_t step = 0;        ///< 1 for the first
-  std::string phase;             ///< "initial", "radiance", "importance" or "gather"
-  PatchId patch = None;          ///< that shot (gathered); of an interaction step: the shooter's
-  double viewFlux = 0.0;         ///< estimate of Phi from below, mean of channels
-  double unshotViewFlux = 0.0;   ///< its part that is still unshot: sum of dL G Y over interactions
-  double unshotPower = 0.0;      ///< sum of A dL pi over patches, W, mean of channels
-  double relativeUnshot = 0.0;   ///< how far from converged: see Solver::Run()
-  std::size_t elements = 0;      ///< leaves of the element tree
-  std::size_t interactions = 0;  ///< that exist
-  std::uint64_t evaluations = 0; ///< pairs whose throughput and visibility were computed so far
-  std::uint64_t rays = 0;        ///< so far, shadow and view
-  double seconds = 0.0;          ///< spent in Run() so far
-};
+/// Of the error of a picture, the parts that are left to the solution and to the gather: their
+/// squares add up to 1.
+inline constexpr double GoalShare = 0.8;
+inline constexpr double GatherShare = 0.6;
 
 /// What Run() ended for.
 enum class RunEnd
@@ -100,12 +93,14 @@ public:
 
   /// Works until the budget is spent, the solution has converged, or the observer cancels;
   /// a further call continues where this one stopped.
-  /// Converged means: relativeUnshot <= max(budget.error, 1e-13), where relativeUnshot is, for
-  /// methods driven by importance, an estimate of the part of the view flux that is not in the
-  /// radiance yet, and for the others the unshot power relative to the emitted power. It says how
-  /// far the interactions are solved, not how fine they are.
-  /// \throw InputError when the method needs a camera and none is set; DivergenceError when the
-  /// albedo is 1 in a closed scene.
+  ///
+  /// Converged means StepReport::errorEstimate <= max(budget.error, 1e-13). Of the methods on a
+  /// fixed graph of interactions the estimate is the part that is still unshot (of the view flux
+  /// where importance drives them, else of the emitted power): it says how far the interactions are
+  /// solved, not how fine they are. Of goal-oriented it is the relative L1 error of a gathered
+  /// picture (Gather()), and the run ends at GoalShare of budget.error, as the gather adds its own.
+  /// \throw InputError when the method needs a camera and none is set, or when goal-oriented is
+  /// given no limit at all; DivergenceError when the albedo is 1 in a closed scene.
   RunEnd Run(const Budget& budget = {}, const Observer& observer = {});
 
   const std::vector<StepReport>& History() const;
@@ -117,6 +112,10 @@ public:
   std::vector<InteractionRecord> Interactions() const;
   /// The elements seen by a camera.
   Image Render(const Camera& camera, const ElementImageSettings& settings) const;
+  /// What Gather() needs, for pictures that outlive the solver or its next step. O(elements).
+  std::shared_ptr<const SolutionSnapshot> Snapshot() const;
+  /// The picture of a camera; see SolutionSnapshot::Gather().
+  GatheredView Gather(const Camera& camera, const GatherSettings& settings) const;
   /// Estimates of Phi, each channel: from radiance <V, L> and from importance <E, P>; they agree
   /// at convergence when all interactions exist (duality).
   Color ViewFluxOfRadiance() const;

@@ -35,7 +35,9 @@ public:
     this->Pixels.width = this->Pixels.height = 64;
     this->Pixels.pixelCentres = true;
     this->Pixels.flat = true;
-    const Solver solver = test::Solved(this->TheScene, this->View, SolverSettings(), 1e-4);
+    SolverSettings settings;
+    settings.method = Method::ImportanceShooting;
+    const Solver solver = test::Solved(this->TheScene, this->View, settings, 1e-4);
     this->Converged = solver.Render(this->View, this->Pixels);
   }
 
@@ -54,7 +56,7 @@ public:
     while (bracket.missing <= mostEvaluations)
     {
       const RunEnd end = solver.Run(budget);
-      const double evaluations = static_cast<double>(solver.History().back().evaluations);
+      const double evaluations = static_cast<double>(solver.History().back().work.Evaluations());
       const Image image = solver.Render(this->View, this->Pixels);
       const double error = Compare(image, this->Converged).relativeL1;
       if (error <= Goal)

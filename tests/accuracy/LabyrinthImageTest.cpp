@@ -28,6 +28,7 @@ constexpr Fineness ForReference{ "reference", 3e-5, 1e-5 };
 Solver SolvedView(const Scene& scene, const Camera& camera, const Fineness& fineness)
 {
   SolverSettings settings;
+  settings.method = Method::ImportanceShooting;
   settings.refinement.powerTolerance = fineness.power;
   settings.refinement.shadowTolerance = fineness.shadow;
   return test::Solved(scene, camera, settings, Unshot);
@@ -56,7 +57,7 @@ TEST_P(LabyrinthImage, FinerElementsComeCloserToTheExactPixels)
     const double error = Compare(solver.Render(this->View, pixels), exact).relativeL1;
     test::Record(std::string(GetParam()) + " L1 " + fineness.name, error);
     test::Record(std::string(GetParam()) + " evaluations " + fineness.name,
-      static_cast<double>(solver.History().back().evaluations));
+      static_cast<double>(solver.History().back().work.Evaluations()));
     EXPECT_LT(error, last) << fineness.name;
     last = error;
   }
@@ -73,7 +74,7 @@ TEST_P(LabyrinthImage, DefaultTolerancesHaveNoBiasAgainstPathTracing)
   ElementImageSettings pixels;
   pixels.width = pixels.height = ImageSize;
   pixels.samplesPerPixel = 16;
-  const Solver solver = test::Solved(this->Rooms, this->View, SolverSettings(), Unshot);
+  const Solver solver = SolvedView(this->Rooms, this->View, Default);
   const ImageDifference difference =
     Compare(BlockMeans(solver.Render(this->View, pixels), 8), BlockMeans(traced.image, 8));
   test::Record(std::string(GetParam()) + " bias", difference.relativeBias);

@@ -23,6 +23,7 @@ TEST(PathTracerAgreement, BlockMeansOfTheLitBox)
   ASSERT_LT(traced.noiseOfMean, 0.003);
 
   SolverSettings settings;
+  settings.method = Method::ImportanceShooting;
   settings.refinement.powerTolerance = 1e-5;
   settings.refinement.shadowTolerance = 3e-6;
   settings.refinement.minimumElementSize = 0.02;

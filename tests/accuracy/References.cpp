@@ -112,16 +112,6 @@ struct Tracer
   PathTracer tracer;
 };
 
-double Total(const Image& image)
-{
-  double sum = 0.0;
-  for (const Color& pixel : image.pixels)
-  {
-    sum += Mean(pixel);
-  }
-  return sum;
-}
-
 } // namespace
 
 Solver Solved(
@@ -153,30 +143,6 @@ Image GatheredImage(const Solver& fine, const Camera& camera, int size, int gath
   settings.gatherRays = gatherRays;
   return tracer.tracer.Render(
     camera, size, size, settings, nullptr, [&](const Hit& hit) { return reflected.At(hit); });
-}
-
-TracedImage PathTraced(const Scene& scene, const Camera& camera, int size, int samplesPerPixel)
-{
-  constexpr int Batches = 4;
-  const Tracer tracer(scene);
-  PathTracerSettings settings;
-  settings.samplesPerPixel = samplesPerPixel / Batches;
-  TracedImage result{ Image(size, size), 0.0 };
-  double squares = 0.0;
-  for (int batch = 0; batch < Batches; ++batch)
-  {
-    settings.seed = batch + 1;
-    const Image image = tracer.tracer.Render(camera, size, size, settings);
-    for (std::size_t p = 0; p < image.pixels.size(); ++p)
-    {
-      result.image.pixels[p] += image.pixels[p] / static_cast<double>(Batches);
-    }
-    squares += Total(image) * Total(image) / Batches;
-  }
-  const double mean = Total(result.image);
-  const double variance = std::max(0.0, squares - mean * mean) / (Batches - 1);
-  result.noiseOfMean = std::sqrt(variance) / mean;
-  return result;
 }
 
 void Record(const std::string& name, double value)

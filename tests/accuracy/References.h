@@ -2,6 +2,7 @@
 
 #include "core/Solver.h"
 #include "core/reference/PathTracer.h"
+#include "support/ReferenceImage.h"
 
 #include <string>
 
@@ -23,15 +24,6 @@ Camera SquareCamera(const Scene& scene, const std::string& name);
 /// stratified shadow rays, indirect light by a final gather into the reflected radiance of a finely
 /// solved scene, whose own error is averaged over the whole hemisphere.
 Image GatheredImage(const Solver& fine, const Camera& camera, int size, int gatherRays);
-
-/// A path-traced image that owes nothing to the solver, and the standard error of its mean,
-/// relative.
-struct TracedImage
-{
-  Image image;
-  double noiseOfMean;
-};
-TracedImage PathTraced(const Scene& scene, const Camera& camera, int size, int samplesPerPixel);
 
 /// Prints one figure as "accuracy: name = value" and records it in the test's report.
 void Record(const std::string& name, double value);

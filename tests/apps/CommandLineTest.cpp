@@ -74,6 +74,8 @@ const BadCall BadCalls[] = {
   { "ReportNoFolder", "render s.obj -o a.png --report none/a.json", "cannot be written" },
   { "OutputTwice", "render s.obj -o a.png ./a.png", "twice" },
   { "OutputIsScene", "render scene.vtp -o scene.vtp", "overwrite the scene" },
+  { "GatheredSamples", "render s.obj -o a.png --samples-per-pixel 4", "gathered" },
+  { "GoalWithoutLimit", "render s.obj -o a.png --error 0", "refine without end" },
   { "PathTracedElements", "render s.obj -o a.vtp --method path-tracing", "no elements" },
   { "PathTracedError", "render s.obj -o a.png --method path-tracing --error 0.1", "--steps" },
   { "InfoMissing", "info none.obj", "no such file" },

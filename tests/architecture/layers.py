@@ -14,10 +14,11 @@ CORE_LAYERS = {
     "formfactor": ("math",),
     "reference": ("visibility", "formfactor", "mesh", "scene", "math"),
     "transport": ("visibility", "formfactor", "mesh", "scene", "math"),
+    "goal": ("transport", "visibility", "formfactor", "mesh", "scene", "math"),
     "view": ("transport", "visibility", "mesh", "scene", "math"),
 }
 # Solver composes all but the reference, which must stay independent of what it judges.
-SOLVER_LAYERS = ("view", "transport", "formfactor", "visibility", "mesh", "scene", "math")
+SOLVER_LAYERS = ("view", "goal", "transport", "formfactor", "visibility", "mesh", "scene", "math")
 
 # What everything outside core may know of it ...
 FACE_OF_CORE = (
@@ -30,11 +31,13 @@ FACE_OF_CORE = (
 # ... and what else is known to whom: header -> files or folders. A method that is no method of the
 # solver, or a service that needs no solver, is reached where it stands.
 EXCEPTIONS = {
-    "core/mesh/Facets.h": ("apps/vantage/SceneSummary.h",),
+    "core/mesh/ElementTree.h": ("apps/benchmarks",),
+    "core/mesh/Facets.h": ("apps/vantage/SceneSummary.h", "apps/benchmarks"),
     "core/mesh/PatchMesh.h": ("filters/vtk/module/vtkPatchSubdivision.cxx",),
     "core/reference/DenseSolve.h": ("apps/vantage/FormFactorsCommand.cpp",),
-    "core/reference/PathTracer.h": ("apps/vantage",),
+    "core/reference/PathTracer.h": ("apps/vantage", "apps/benchmarks"),
     "core/view/ToneMapping.h": ("filters/vtk/module/vtkRadianceToneMapping.cxx", "apps/vantage"),
+    "core/visibility/OccluderScene.h": ("apps/benchmarks",),
 }
 
 # Which folders a folder of filters/ or apps/ may include beside itself and core.

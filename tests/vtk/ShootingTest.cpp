@@ -32,12 +32,13 @@ namespace
 
 constexpr vtkIdType Enough = 8; // patch steps, of which some carry radiance
 
-/// A filter on the lit box that takes no time.
+/// A filter on the lit box that takes no time: patch steps on a fixed graph of interactions.
 vtkSmartPointer<vtkImportanceDrivenShooting> MakeFilter()
 {
   const auto filter = vtkSmartPointer<vtkImportanceDrivenShooting>::New();
   filter->SetInputData(SceneToPolyData(MakeLitBox()));
   filter->SetCameraName("door");
+  filter->SetMethod("importance-shooting");
   filter->SetViewRays(1024);
   filter->SetMaximumLevel(1);
   filter->SetSteps(Enough);
@@ -104,8 +105,9 @@ TEST(ImportanceDrivenShooting, DefaultsAreThoseOfTheCore)
   EXPECT_EQ(filter->GetVisibilityRays(), settings.visibilityRays);
   EXPECT_EQ(filter->GetViewRays(), settings.viewRays);
   EXPECT_EQ(filter->GetInitialPhase(), settings.initialPhase);
+  EXPECT_EQ(filter->GetImportance(), settings.importance);
   EXPECT_EQ(filter->GetSeed(), settings.seed);
-  EXPECT_EQ(filter->GetError(), budget.error);
+  EXPECT_EQ(filter->GetError(), 0.01);
   EXPECT_EQ(filter->GetTimeLimit(), budget.seconds);
   EXPECT_EQ(filter->GetSteps(), VTK_ID_MAX);
   EXPECT_EQ(filter->GetViewAngle(), camera.fieldOfView);
@@ -155,12 +157,29 @@ TEST(ImportanceDrivenShooting, RunsToTheErrorThatIsAskedFor)
   filter->SetSteps(VTK_ID_MAX);
   filter->SetError(0.01);
   filter->Update();
-  EXPECT_LE(LastOf(HistoryOf(filter), "RelativeUnshot"), 0.01);
+  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.01);
   const vtkIdType rows = HistoryOf(filter)->GetNumberOfRows();
   EXPECT_GT(rows, 1);
   filter->SetError(0.001); // continues
   filter->Update();
-  EXPECT_LE(LastOf(HistoryOf(filter), "RelativeUnshot"), 0.001);
+  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.001);
+  EXPECT_GT(HistoryOf(filter)->GetNumberOfRows(), rows);
+}
+
+TEST(ImportanceDrivenShooting, GoalOrientedRunsToItsErrorAndContinues)
+{
+  const auto filter = MakeFilter();
+  filter->SetMethod("goal-oriented");
+  filter->SetMaximumLevel(10);
+  filter->SetSteps(VTK_ID_MAX);
+  filter->SetError(0.1);
+  filter->Update();
+  const vtkIdType rows = HistoryOf(filter)->GetNumberOfRows();
+  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.1);
+  EXPECT_GT(LastOf(HistoryOf(filter), "ClusterPairs"), 0);
+  filter->SetError(0.03);
+  filter->Update();
+  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.03);
   EXPECT_GT(HistoryOf(filter)->GetNumberOfRows(), rows);
 }
 
@@ -445,7 +464,7 @@ TEST(ImportanceDrivenShooting, PrintSelfNamesEveryParameter)
          "ViewAngle:", "Aspect:", "Method: importance-shooting", "Granularity: patch", "Steps: 8",
          "Error:", "TimeLimit:", "RefinementOracle: BF", "FormFactorTolerance:", "PowerTolerance:",
          "ShadowTolerance:", "MinimumElementSize:", "MaximumLevel: 1", "Accuracy: default",
-         "VisibilityRays:", "ViewRays: 1024", "InitialPhase: on", "Seed: 1" })
+         "VisibilityRays:", "ViewRays: 1024", "InitialPhase: on", "Importance: on", "Seed: 1" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -122,11 +122,11 @@ TEST(SolutionAdapter, HistoryHasARowForEachStep)
   report.viewFlux = 2;
   report.unshotViewFlux = 3;
   report.unshotPower = 4;
-  report.relativeUnshot = 5;
+  report.errorEstimate = 5;
   report.elements = 6;
   report.interactions = 7;
-  report.evaluations = 8;
-  report.rays = 9;
+  report.work.surfacePairs = 8;
+  report.work.pairRays = 9;
   report.seconds = 10;
   StepReport other = report;
   other.patch = 11;
@@ -140,7 +140,7 @@ TEST(SolutionAdapter, HistoryHasARowForEachStep)
   EXPECT_EQ(at("ViewFlux"), 2);
   EXPECT_EQ(at("UnshotViewFlux"), 3);
   EXPECT_EQ(at("UnshotPower"), 4);
-  EXPECT_EQ(at("RelativeUnshot"), 5);
+  EXPECT_EQ(at("ErrorEstimate"), 5);
   EXPECT_EQ(at("Elements"), 6);
   EXPECT_EQ(at("Interactions"), 7);
   EXPECT_EQ(at("Evaluations"), 8);
@@ -152,7 +152,7 @@ TEST(SolutionAdapter, NothingGivesEmptyOutputsWithAllArrays)
 {
   EXPECT_EQ(ElementsToPolyData({})->GetCellData()->GetNumberOfArrays(), 11);
   EXPECT_EQ(InteractionsToPolyData({})->GetCellData()->GetNumberOfArrays(), 9);
-  EXPECT_EQ(HistoryToTable({})->GetNumberOfColumns(), 12);
+  EXPECT_EQ(HistoryToTable({})->GetNumberOfColumns(), 21);
 }
 
 TEST(SolutionAdapter, ImageRowsRunFromBottomToTop)

@@ -23,6 +23,7 @@ struct Question
 
   Question()
   {
+    this->settings.method = Method::ImportanceShooting;
     this->settings.viewRays = 1024;
     this->settings.refinement.maximumLevel = 1;
   }
@@ -93,13 +94,13 @@ TEST(SolverSession, MoreStepsContinueAndGiveWhatOneRunGives)
   for (std::size_t k = 0; k < before.size(); ++k)
   {
     EXPECT_EQ(after[k].viewFlux, before[k].viewFlux);
-    EXPECT_EQ(after[k].evaluations, before[k].evaluations);
+    EXPECT_EQ(after[k].work.Evaluations(), before[k].work.Evaluations());
     EXPECT_EQ(after[k].seconds, before[k].seconds); // not even done again
   }
   for (std::size_t k = 0; k < after.size(); ++k)
   {
     EXPECT_EQ(after[k].viewFlux, atOnce[k].viewFlux);
-    EXPECT_EQ(after[k].evaluations, atOnce[k].evaluations);
+    EXPECT_EQ(after[k].work.Evaluations(), atOnce[k].work.Evaluations());
   }
 }
 

@@ -61,7 +61,7 @@ def main():
     history = shooting.GetOutputDataObject(2)
     last = history.GetNumberOfRows() - 1
     assert last >= 0
-    assert history.GetValueByName(last, "RelativeUnshot").ToDouble() <= 0.05
+    assert history.GetValueByName(last, "ErrorEstimate").ToDouble() <= 0.05
     assert shooting.GetOutput(1).GetNumberOfLines() > 0
 
 

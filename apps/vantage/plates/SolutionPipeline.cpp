@@ -117,8 +117,8 @@ SolutionState SolutionPipeline::Solve()
   state.elements = CopyOf(this->Shooting->GetOutputDataObject(0));
   state.interactions = CopyOf(this->Shooting->GetOutputDataObject(1));
   state.steps = now.step - this->Before.step;
-  state.evaluations = now.evaluations - this->Before.evaluations;
-  state.rays = now.rays - this->Before.rays;
+  state.evaluations = now.work.Evaluations() - this->Before.work.Evaluations();
+  state.rays = now.work.Rays() - this->Before.work.Rays();
   state.seconds = now.seconds - this->Before.seconds;
   return state;
 }

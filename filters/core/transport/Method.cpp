@@ -43,7 +43,14 @@ const std::vector<std::string>& GranularityNames()
 const std::vector<std::string>& MethodNames()
 {
   static const std::vector<std::string> names{ "basic-shooting", "progressive-shooting",
-    "importance-shooting", "gauss-seidel" };
+    "importance-shooting", "goal-oriented", "gauss-seidel" };
+  return names;
+}
+
+std::vector<std::string> FixedGraphMethodNames()
+{
+  std::vector<std::string> names = MethodNames();
+  names.erase(std::find(names.begin(), names.end(), NameOf(Method::GoalOriented)));
   return names;
 }
 

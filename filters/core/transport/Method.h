@@ -15,6 +15,7 @@ enum class Method
   BasicShooting,       ///< Algorithm 1: every interaction in turn
   ProgressiveShooting, ///< Algorithm 2: largest unshot dL A F first (Cohen et al. 1988)
   ImportanceShooting,  ///< Algorithms 3 and 4: importance and radiance in turn, largest dL A F I
+  GoalOriented,        ///< hierarchical interactions made and refined where the view needs them
   GaussSeidel          ///< gathering, patch by patch (Goral et al. 1984)
 };
 
@@ -25,8 +26,12 @@ enum class Granularity
   Patch        ///< all interactions of one patch
 };
 
-/// "basic-shooting", "progressive-shooting", "importance-shooting", "gauss-seidel".
+/// "basic-shooting", "progressive-shooting", "importance-shooting", "goal-oriented",
+/// "gauss-seidel".
 const std::vector<std::string>& MethodNames();
+/// Of the methods that share one graph of interactions, which depends on the scene only: all but
+/// "goal-oriented".
+std::vector<std::string> FixedGraphMethodNames();
 std::string NameOf(Method method);
 /// \throw UnknownNameError
 Method MethodFromName(const std::string& name);

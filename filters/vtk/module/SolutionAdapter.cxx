@@ -1,6 +1,7 @@
 #include "SolutionAdapter.h"
 
 #include "ArrayAdapter.h"
+#include "SolvedView.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -13,6 +14,10 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <cctype>
+#include <cmath>
+#include <limits>
 
 namespace vantage
 {
@@ -133,6 +138,32 @@ vtkSmartPointer<vtkPolyData> InteractionsToPolyData(
   return links;
 }
 
+namespace
+{
+
+/// A column for each of WorkCounters, its name with a capital letter.
+void AddCounters(const std::vector<StepReport>& history, vtkDataSetAttributes* rows)
+{
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> columns;
+  ForEachCounter(WorkCounters(),
+    [&](const char* counter, std::uint64_t)
+    {
+      std::string name = counter;
+      name[0] = static_cast<char>(std::toupper(name[0]));
+      columns.push_back(vtkSmartPointer<vtkIdTypeArray>::New());
+      columns.back()->SetName(name.c_str());
+      rows->AddArray(columns.back());
+    });
+  for (const StepReport& row : history)
+  {
+    std::size_t column = 0;
+    ForEachCounter(row.work, [&](const char*, std::uint64_t count)
+      { columns[column++]->InsertNextValue(static_cast<vtkIdType>(count)); });
+  }
+}
+
+} // namespace
+
 vtkSmartPointer<vtkTable> HistoryToTable(const std::vector<StepReport>& history)
 {
   using Row = StepReport;
@@ -145,12 +176,13 @@ vtkSmartPointer<vtkTable> HistoryToTable(const std::vector<StepReport>& history)
   columns.Add<vtkDoubleArray>("ViewFlux", [](const Row& r) { return r.viewFlux; });
   columns.Add<vtkDoubleArray>("UnshotViewFlux", [](const Row& r) { return r.unshotViewFlux; });
   columns.Add<vtkDoubleArray>("UnshotPower", [](const Row& r) { return r.unshotPower; });
-  columns.Add<vtkDoubleArray>("RelativeUnshot", [](const Row& r) { return r.relativeUnshot; });
+  columns.Add<vtkDoubleArray>("ErrorEstimate", [](const Row& r) { return r.errorEstimate; });
   columns.Add<vtkIdTypeArray>("Elements", [](const Row& r) { return r.elements; });
   columns.Add<vtkIdTypeArray>("Interactions", [](const Row& r) { return r.interactions; });
-  columns.Add<vtkIdTypeArray>("Evaluations", [](const Row& r) { return r.evaluations; });
-  columns.Add<vtkIdTypeArray>("Rays", [](const Row& r) { return r.rays; });
+  columns.Add<vtkIdTypeArray>("Evaluations", [](const Row& r) { return r.work.Evaluations(); });
+  columns.Add<vtkIdTypeArray>("Rays", [](const Row& r) { return r.work.Rays(); });
   columns.Add<vtkDoubleArray>("Seconds", [](const Row& r) { return r.seconds; });
+  AddCounters(history, rows);
   return table;
 }
 
@@ -168,6 +200,37 @@ vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image)
   imageData->SetDimensions(image.width, image.height, 1);
   imageData->GetPointData()->AddArray(radiance);
   return imageData;
+}
+
+vtkSmartPointer<vtkImageData> ViewToImageData(const GatheredView& view, const SolvedView& solved)
+{
+  vtkSmartPointer<vtkImageData> image = ImageToImageData(view.radiance);
+  vtkPointData* points = image->GetPointData();
+  points->SetActiveScalars("Radiance");
+  points->AddArray(MakeArray<vtkIdTypeArray>("ElementId", view.elementId.size(),
+    [&](std::size_t k)
+    {
+      const std::uint32_t cell =
+        view.elementId[k] == None ? None : solved.CellOf(view.elementId[k]);
+      return cell == None ? vtkIdType(-1) : static_cast<vtkIdType>(cell);
+    }));
+  points->AddArray(MakeArray<vtkFloatArray>(
+    "Depth", view.depth.size(), [&](std::size_t k) { return view.depth[k]; }));
+  image->GetFieldData()->AddArray(MakeArray<vtkDoubleArray>("ErrorEstimate", 1,
+    [&](std::size_t) { return std::hypot(solved.errorEstimate, view.report.errorEstimate); }));
+  return image;
+}
+
+std::shared_ptr<const SolvedView> ViewOf(
+  const Solver& solver, const ElementSolution& elements, const Camera& camera)
+{
+  const auto view = std::make_shared<SolvedView>();
+  view->snapshot = solver.Snapshot();
+  view->camera = camera;
+  view->nodeOfCell = elements.surface.elements;
+  view->errorEstimate = solver.History().empty() ? std::numeric_limits<double>::infinity()
+                                                 : solver.History().back().errorEstimate;
+  return view;
 }
 
 } // namespace vantage

@@ -17,6 +17,8 @@ class vtkTable;
 namespace vantage
 {
 
+struct SolvedView;
+
 /// The leaf elements as polygons; elements of one flat surface share points.
 ///
 /// | cell array       | components | unit        | content                                      |
@@ -54,12 +56,17 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> InteractionsToPolyData(
   const std::vector<InteractionRecord>& interactions);
 
 /// One row a step. Columns: Step, Phase (string), Patch (-1: none), ViewFlux and UnshotViewFlux
-/// (W m^-2), UnshotPower (W), RelativeUnshot, Elements, Interactions, Evaluations, Rays, Seconds;
+/// (W m^-2), UnshotPower (W), ErrorEstimate, Elements, Interactions, Evaluations, Rays, Seconds;
 /// meanings as in StepReport.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkTable> HistoryToTable(
   const std::vector<StepReport>& history);
 
 /// An image with the point array Radiance (3 floats, W m^-2 sr^-1), row 0 at the bottom.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image);
+
+/// The same with the point arrays ElementId (id, cell of the elements; -1: none) and Depth (float)
+/// and the field array ErrorEstimate: of the solution and of the gather.
+VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ViewToImageData(
+  const GatheredView& view, const SolvedView& solved);
 
 } // namespace vantage

@@ -21,10 +21,10 @@ auto KeyOf(const RefinementSettings& settings)
 
 auto KeyOf(const SolverSettings& settings)
 {
-  const auto& [method, granularity, refinement, accuracy, visibilityRays, viewRays, initial, seed] =
-    settings;
+  const auto& [method, granularity, refinement, accuracy, visibilityRays, viewRays, initial,
+    importance, seed] = settings;
   return std::tuple_cat(
-    std::tie(method, granularity, accuracy, visibilityRays, viewRays, initial, seed),
+    std::tie(method, granularity, accuracy, visibilityRays, viewRays, initial, importance, seed),
     KeyOf(refinement));
 }
 

@@ -14,13 +14,12 @@ namespace vantage
 
 /// Keeps a solver and the keys of what it has been given, and redoes only what a change asks for:
 ///
-/// | what changed                                            | what is done |
-/// |---------------------------------------------------------|-------------------------------------|
-/// | nothing, or more steps asked for                        | the solver continues | | the camera
-/// | Solver::SetCamera: interactions stay| | albedo, emission or lobe of materials |
-/// Solver::SetMaterials: interactions stay | | vertices, polygons, which polygons share a material,
-/// sidedness | a new solver                 | | any setting | a new solver                        |
-/// | fewer steps asked for than were done                    | a new solver |
+/// - nothing, or more steps asked for: the solver continues
+/// - the camera: Solver::SetCamera, interactions stay
+/// - albedo, emission or lobe of materials: Solver::SetMaterials, interactions stay
+/// - vertices, polygons, which polygons share a material, sidedness: a new solver
+/// - any setting: a new solver
+/// - fewer steps asked for than were done: a new solver
 ///
 /// The keys hold every number the solver sees; names are left out.
 class VTKVANTAGEFILTERS_EXPORT SolverSession
@@ -37,6 +36,9 @@ public:
 
   /// The same, or null when there is none.
   const Solver* Find() const { return this->Kept.get(); }
+
+  /// The camera of the last call. \pre Prepare() has succeeded
+  const Camera& CurrentCamera() const { return this->CameraKey; }
 
   /// Steps done since the last change. \pre Prepare() has succeeded
   std::uint64_t StepsDone() const;

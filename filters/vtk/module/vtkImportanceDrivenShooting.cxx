@@ -3,11 +3,14 @@
 #include "CameraAdapter.h"
 #include "SceneAdapter.h"
 #include "SolutionAdapter.h"
+#include "SolvedView.h"
 #include "SolverSession.h"
+#include "vtkTransportSolution.h"
 
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDemandDrivenPipeline.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -51,6 +54,7 @@ vantage::SolverSettings SettingsOf(vtkImportanceDrivenShooting* filter)
   settings.visibilityRays = filter->GetVisibilityRays();
   settings.viewRays = filter->GetViewRays();
   settings.initialPhase = filter->GetInitialPhase();
+  settings.importance = filter->GetImportance();
   settings.seed = filter->GetSeed();
   return settings;
 }
@@ -93,7 +97,7 @@ double ProgressOf(const vantage::StepReport& report, const vantage::Budget& budg
   const double target = std::max(budget.error, 1e-13);
   const auto steps = static_cast<double>(report.step - before.step);
   const double progress = std::max(
-    { std::log(report.relativeUnshot) / std::log(target), steps / static_cast<double>(budget.steps),
+    { std::log(report.errorEstimate) / std::log(target), steps / static_cast<double>(budget.steps),
       (report.seconds - before.seconds) / budget.seconds });
   return std::isfinite(progress) ? std::clamp(progress, 0.0, 1.0) : 0.0;
 }
@@ -117,7 +121,7 @@ vtkImportanceDrivenShooting::vtkImportanceDrivenShooting()
 
   const vantage::Budget budget;
   this->Steps = VTK_ID_MAX;
-  this->Error = budget.error;
+  this->Error = 0.01;
   this->TimeLimit = budget.seconds;
 
   const vantage::SolverSettings settings;
@@ -132,9 +136,10 @@ vtkImportanceDrivenShooting::vtkImportanceDrivenShooting()
   this->VisibilityRays = settings.visibilityRays;
   this->ViewRays = settings.viewRays;
   this->InitialPhase = settings.initialPhase;
+  this->Importance = settings.importance;
   this->Seed = settings.seed;
 
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Albedo");
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Emission");
 }
@@ -157,8 +162,23 @@ const vantage::Solver* vtkImportanceDrivenShooting::GetSolver() const
 
 int vtkImportanceDrivenShooting::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  constexpr const char* types[] = { "vtkPolyData", "vtkPolyData", "vtkTable",
+    "vtkTransportSolution" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
+}
+
+vtkTypeBool vtkImportanceDrivenShooting::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // VTK's executive makes the types of data that VTK has; the solution is not among them.
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) &&
+      !vtkTransportSolution::GetData(outputVector, 3))
+  {
+    vtkNew<vtkTransportSolution> solution;
+    outputVector->GetInformationObject(3)->Set(vtkDataObject::DATA_OBJECT(), solution);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 vtkDataArray* vtkImportanceDrivenShooting::ChosenArray(
@@ -220,16 +240,20 @@ int vtkImportanceDrivenShooting::RequestData(
   vtkPolyData* elements = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* interactions = vtkPolyData::GetData(outputVector, 1);
   vtkTable* history = vtkTable::GetData(outputVector, 2);
+  vtkTransportSolution* solution = vtkTransportSolution::GetData(outputVector, 3);
   vantage::SolverSession& session = this->Impl->session;
   try
   {
     tbb::task_arena arena(vtkSMPTools::GetEstimatedNumberOfThreads());
     arena.execute([&] { this->Solve(input); });
     const vantage::Solver& solver = session.Current();
-    elements->ShallowCopy(vantage::ElementsToPolyData(solver.Elements()));
+    const vantage::ElementSolution solved = solver.Elements();
+    elements->ShallowCopy(vantage::ElementsToPolyData(solved));
     elements->GetFieldData()->PassData(input->GetFieldData());
     interactions->ShallowCopy(vantage::InteractionsToPolyData(solver.Interactions()));
     history->ShallowCopy(vantage::HistoryToTable(solver.History()));
+    solution->SetView(vantage::ViewOf(solver, solved, session.CurrentCamera()));
+    solution->GetFieldData()->PassData(input->GetFieldData());
     return 1;
   }
   catch (const vantage::Error& error)
@@ -279,5 +303,6 @@ void vtkImportanceDrivenShooting::PrintSelf(ostream& os, vtkIndent indent)
   print("VisibilityRays", this->VisibilityRays);
   print("ViewRays", this->ViewRays);
   print("InitialPhase", this->InitialPhase ? "on" : "off");
+  print("Importance", this->Importance ? "on" : "off");
   print("Seed", this->Seed);
 }

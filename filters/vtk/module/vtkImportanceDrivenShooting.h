@@ -13,12 +13,15 @@ namespace vantage
 class Solver;
 }
 
-/// Solves the light of a scene for one view, by shooting radiance and importance in turn.
+/// Solves the light of a scene for one view: radiance and importance travel over the same
+/// interactions.
 ///
-/// Every step propagates what is largest of (unshot radiance) x (throughput) x (importance of the
-/// receiver): light that the view does not need is left for later, or for good. The solution
-/// continues where the last execution stopped, and an interaction, once computed, is kept when the
-/// camera moves or the lights change.
+/// Goal-oriented, the default, makes interactions between clusters, patches and elements on demand
+/// and refines, in each step, those with the largest part in the error of the view. The methods of
+/// the paper shoot on a fixed graph: importance-shooting propagates in every step what is largest
+/// of (unshot radiance) x (throughput) x (importance of the receiver). Light that the view does not
+/// need is left for later, or for good. The solution continues where the last execution stopped,
+/// and an interaction, once computed, is kept when the camera moves or the lights change.
 ///
 /// Input: vtkPolyData with polygons (others are ignored; triangle strips are an error). Two cell
 /// arrays are chosen with SetInputArrayToProcess: 0 is the albedo ("Albedo" unless chosen; 3
@@ -54,8 +57,10 @@ class Solver;
 /// (W m^-2, of the shot flux to the view flux) and Step (in which it was made).
 ///
 /// Output port 2, vtkTable: a row for each step, with the columns Step, Phase (string), Patch (-1:
-/// none), ViewFlux, UnshotViewFlux (W m^-2), UnshotPower (W), RelativeUnshot, Elements,
-/// Interactions, Evaluations, Rays and Seconds.
+/// none), ViewFlux, UnshotViewFlux (W m^-2), UnshotPower (W), ErrorEstimate, Elements,
+/// Interactions, Evaluations, Rays and Seconds, and a column for each counter of work.
+///
+/// Output port 3, vtkTransportSolution: the solution, from which vtkViewGather makes pictures.
 ///
 /// The outputs hold copies: they stay valid when the filter is gone.
 ///
@@ -133,8 +138,8 @@ public:
   ///@}
 
   ///@{
-  /// "importance-shooting", "progressive-shooting", "basic-shooting" or "gauss-seidel".
-  /// Default: "importance-shooting".
+  /// "goal-oriented", "importance-shooting", "progressive-shooting", "basic-shooting" or
+  /// "gauss-seidel". Default: "goal-oriented".
   vtkSetStdStringFromCharMacro(Method);
   vtkGetCharFromStdStringMacro(Method);
   ///@}
@@ -153,8 +158,10 @@ public:
   ///@}
 
   ///@{
-  /// Stop when at most this part of the view flux (of the power, for methods without importance) is
-  /// unshot, >= 0. A larger value does not undo what is done. Default: 0, at round-off.
+  /// Stop at this error, >= 0. Goal-oriented: relative L1 error of a gathered picture, as
+  /// estimated, of which the gather (vtkViewGather) may take its part. Others: the part of the view
+  /// flux (of the power, for methods without importance) that is unshot; 0 goes on to round-off. A
+  /// larger value does not undo what is done. Default: 0.01.
   vtkSetMacro(Error, double);
   vtkGetMacro(Error, double);
   ///@}
@@ -234,6 +241,13 @@ public:
   ///@}
 
   ///@{
+  /// Goal-oriented: refine for the view; off, for all surfaces alike. Default: on.
+  vtkSetMacro(Importance, bool);
+  vtkGetMacro(Importance, bool);
+  vtkBooleanMacro(Importance, bool);
+  ///@}
+
+  ///@{
   /// Of the random numbers; the same seed gives the same result. Default: 1.
   vtkSetMacro(Seed, vtkTypeUInt64);
   vtkGetMacro(Seed, vtkTypeUInt64);
@@ -244,6 +258,8 @@ protected:
   ~vtkImportanceDrivenShooting() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -275,6 +291,7 @@ private:
   unsigned int VisibilityRays;
   unsigned int ViewRays;
   bool InitialPhase;
+  bool Importance;
   vtkTypeUInt64 Seed;
 
   struct Implementation;

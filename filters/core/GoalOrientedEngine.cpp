@@ -1,0 +1,118 @@
+#include "core/GoalOrientedEngine.h"
+
+#include "core/goal/SolutionOfLinks.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// A round refines the worst links that together have this part of all errors. More makes fewer
+/// rounds and refines more links that need it less; between 0.3 and 0.7 it hardly matters.
+constexpr double RefinedShare = 0.6;
+
+} // namespace
+
+GoalOrientedEngine::GoalOrientedEngine(ElementTree tree, const OccluderScene& occluders,
+  std::vector<PatchOptics> optics, double meanFacetArea, const GoalOrientedSettings& settings)
+  : Settings(settings)
+  , State(std::move(tree), occluders, std::move(optics), meanFacetArea, settings)
+{
+}
+
+void GoalOrientedEngine::SetView(std::vector<ViewSample> samples)
+{
+  this->State.SetView(std::move(samples));
+  this->HasView = true;
+  this->IsSolved = false;
+}
+
+void GoalOrientedEngine::SetOptics(std::vector<PatchOptics> optics)
+{
+  this->State.SetOptics(std::move(optics));
+  this->IsSolved = false;
+}
+
+double GoalOrientedEngine::ErrorEstimate() const
+{
+  // One estimate may be low by chance, as long as the clusters are sampled by a few rays.
+  return this->IsSolved ? std::max(this->State.ErrorEstimate(), this->LastEstimate)
+                        : std::numeric_limits<double>::infinity();
+}
+
+std::optional<StepReport> GoalOrientedEngine::Advance()
+{
+  if (this->IsSolved)
+  {
+    this->LastEstimate = this->State.ErrorEstimate();
+    if (this->State.Refine(RefinedShare) == 0)
+    {
+      return {};
+    }
+  }
+  else
+  {
+    this->LastEstimate = 0.0;
+  }
+  this->State.Solve();
+  this->IsSolved = true;
+  ++this->StepCount;
+  return this->Report();
+}
+
+StepReport GoalOrientedEngine::Report() const
+{
+  const GoalOrientedCounters& counters = this->State.Counters();
+  StepReport report;
+  report.step = this->StepCount;
+  report.phase = "refine";
+  report.viewFlux = Mean(this->State.ViewFlux());
+  report.errorEstimate = this->ErrorEstimate();
+  report.elements = this->State.LeafCount();
+  report.interactions = this->State.Links().size();
+  report.work.pairRays = counters.linkRays;
+  report.work.probeRays = this->State.Tree().ProbeRays();
+  report.work.surfacePairs = counters.surfacePairs;
+  report.work.clusterPairs = counters.clusterPairs;
+  report.work.refined = counters.refined;
+  report.work.certified = counters.certified;
+  report.work.hidden = counters.hidden;
+  report.work.sweeps = counters.sweeps;
+  return report;
+}
+
+double GoalOrientedEngine::EmittedPower() const
+{
+  return Pi * this->State.Tree()[0].area * Mean(this->State.Tree()[0].emission);
+}
+
+ElementSolution GoalOrientedEngine::Elements(const FacetSet& facets) const
+{
+  return ExtractElements(this->State, facets);
+}
+
+std::vector<InteractionRecord> GoalOrientedEngine::Interactions() const
+{
+  return ExtractInteractions(this->State);
+}
+
+RadianceSolution GoalOrientedEngine::Radiance() const
+{
+  return SolutionOfLinks(this->State);
+}
+
+Color GoalOrientedEngine::ViewFluxOfRadiance() const
+{
+  return this->State.ViewFlux();
+}
+
+Color GoalOrientedEngine::ViewFluxOfImportance() const
+{
+  return this->State.ViewFluxOfImportance();
+}
+
+} // namespace vantage

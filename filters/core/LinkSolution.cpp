@@ -1,0 +1,97 @@
+#include "core/Solution.h"
+#include "core/goal/GoalOrientedTransport.h"
+
+namespace vantage
+{
+
+namespace
+{
+
+/// The open leaf that each leaf of the element tree belongs to: itself, or the cluster that no one
+/// looked into.
+std::vector<OpenId> OpenLeaves(const OpenTree& tree)
+{
+  std::vector<OpenId> leaves(tree.Tree().Size(), None);
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    leaves[tree[id].node] = id;
+  }
+  for (NodeId node = 1; node < tree.Tree().Size(); ++node)
+  {
+    if (leaves[node] == None)
+    {
+      leaves[node] = leaves[tree.Tree()[node].parent];
+    }
+  }
+  return leaves;
+}
+
+} // namespace
+
+ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets)
+{
+  const OpenTree& open = transport.Tree();
+  const ElementTree& tree = open.Tree();
+  const std::vector<OpenId> leaves = OpenLeaves(open);
+  ElementSolution solution;
+  solution.surface = PatchMesh(tree, facets).Surface();
+  for (const NodeId element : solution.surface.elements)
+  {
+    const OpenId leaf = leaves[element];
+    const PatchId patchId = tree[element].patch;
+    const Patch& patch = tree.Patches()[patchId];
+    const PatchOptics& optics = open.Optics()[patchId];
+    const double view = open[leaf].IsExposed() ? open[leaf].view / open[leaf].area : 0.0;
+    solution.radiance.push_back(optics.emission + transport.Radiance().Received(leaf));
+    solution.unshotRadiance.emplace_back(0.0);
+    solution.importance.push_back(Color(view) + transport.Importance().Arriving(leaf));
+    solution.unshotImportance.emplace_back(0.0);
+    solution.viewImportance.push_back(view);
+    solution.albedo.push_back(optics.albedo);
+    solution.emission.push_back(optics.emission);
+    solution.patch.push_back(patchId);
+    solution.scenePolygon.push_back(facets.facets[patch.facet].ScenePolygonOf(patch.side));
+    solution.side.push_back(patch.side);
+    solution.level.push_back(tree[element].level);
+  }
+  return solution;
+}
+
+std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& transport)
+{
+  const OpenTree& tree = transport.Tree();
+  const auto levelOf = [&tree](OpenId id)
+  { return tree[id].IsCluster() ? InteractionRecord::ClusterLevel : tree[id].level; };
+  std::vector<InteractionRecord> records;
+  records.reserve(transport.Links().size());
+  for (const Link& link : transport.Links())
+  {
+    const auto power = [&](int end)
+    { return Mean(transport.Radiance().Value(link.ends[end])) * link.throughput; };
+    const int shooter = power(1) > power(0) ? 1 : 0;
+    const OpenId from = link.ends[shooter];
+    const OpenId to = link.ends[1 - shooter];
+    InteractionRecord record;
+    record.shooterCentre = tree.Geometry(from).centre;
+    record.receiverCentre = tree.Geometry(to).centre;
+    record.shooter = tree[from].patch;
+    record.receiver = tree[to].patch;
+    record.shooterLevel = levelOf(from);
+    record.receiverLevel = levelOf(to);
+    record.formFactor = link.throughput / tree[from].area;
+    record.visibility = link.visibility;
+    record.shotFlux = link.IsSelf() ? power(0) : power(0) + power(1);
+    record.contribution = 0.0;
+    for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
+    {
+      record.contribution +=
+        link.throughput * Mean(transport.Radiance().Value(link.ends[end]) *
+                               transport.Importance().Value(link.ends[1 - end]));
+    }
+    record.step = link.step;
+    records.push_back(record);
+  }
+  return records;
+}
+
+} // namespace vantage

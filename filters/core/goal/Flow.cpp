@@ -1,0 +1,149 @@
+#include "core/goal/Flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage
+{
+
+void Flow::Follow(const OpenTree& tree)
+{
+  for (OpenId id = static_cast<OpenId>(this->Values.size()); id < tree.Size(); ++id)
+  {
+    const OpenId parent = tree[id].parent;
+    this->Sources.emplace_back(0.0);
+    this->SourceRms.push_back(0.0);
+    this->Values.push_back(parent == None ? Color(0.0) : Color(this->Values[parent]));
+    this->Weighted.push_back(parent == None ? Color(0.0) : Color(this->Weighted[parent]));
+    this->Incoming.push_back(parent == None ? Color(0.0) : Color(this->Incoming[parent]));
+    this->Spreads.push_back(0.0);
+  }
+}
+
+void Flow::Clear()
+{
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    this->Values[i] = this->Weighted[i] = this->Sources[i];
+    this->Spreads[i] = 0.0;
+  }
+}
+
+double Flow::Sweep(
+  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure)
+{
+  this->Incoming.assign(tree.Size(), Color(0.0));
+  this->Variances.assign(tree.Size(), 0.0);
+  this->Shadows.assign(tree.Size(), 0.0);
+  for (const Link& link : links)
+  {
+    const auto [a, b] = link.ends;
+    this->Receive(link, a, b, tree[a].area);
+    if (!link.IsSelf())
+    {
+      this->Receive(link, b, a, tree[b].area);
+    }
+  }
+  this->PushDown(tree);
+  const double change = this->ReflectAtLeaves(tree, closure);
+  this->PullUp(tree);
+  return change;
+}
+
+void Flow::Receive(const Link& link, OpenId to, OpenId from, double area)
+{
+  const double weighted = Mean(this->Weighted[from]) / area;
+  const double deviation = link.variation * weighted;
+  this->Incoming[to] += link.throughput / area * this->Weighted[from];
+  this->Variances[to] += deviation * deviation;
+  this->Shadows[to] += link.shadowing * weighted;
+}
+
+void Flow::PushDown(const OpenTree& tree)
+{
+  for (OpenId id = 1; id < tree.Size(); ++id)
+  {
+    this->Incoming[id] += this->Incoming[tree[id].parent];
+    this->Variances[id] += this->Variances[tree[id].parent];
+    this->Shadows[id] += this->Shadows[tree[id].parent];
+  }
+}
+
+double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure)
+{
+  double change = 0.0;
+  double total = 0.0;
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    const OpenNode& node = tree[id];
+    if (!node.IsLeaf())
+    {
+      continue;
+    }
+    this->Incoming[id] *= closure[id];
+    const Color value = this->Sources[id] + node.albedo / Pi * this->Incoming[id];
+    change += node.area * std::abs(Mean(value - this->Values[id]));
+    total += node.area * Mean(value);
+    this->Values[id] = value;
+    this->Weighted[id] = closure[id] * value;
+    this->Spreads[id] = node.IsCluster() ? this->SpreadOfCluster(id)
+                                         : Mean(node.albedo) / Pi *
+                                             (std::sqrt(this->Variances[id]) + this->Shadows[id]);
+  }
+  return total > 0.0 ? change / total : 0.0;
+}
+
+/// What a cluster received may have come to a part of it only, and not to where its sources are.
+double Flow::SpreadOfCluster(OpenId leaf) const
+{
+  const double rms = this->SourceRms[leaf];
+  const double mean = Mean(this->Sources[leaf]);
+  const double ofSource = std::sqrt(std::max(0.0, rms * rms - mean * mean));
+  return std::hypot(ofSource, Mean(this->Received(leaf)));
+}
+
+void Flow::PullUp(const OpenTree& tree)
+{
+  for (OpenId id = tree.Size(); id-- > 0;)
+  {
+    const OpenNode& node = tree[id];
+    if (node.IsLeaf())
+    {
+      continue;
+    }
+    Color source(0.0);
+    Color value(0.0);
+    Color weighted(0.0);
+    double square = 0.0;
+    double sourceSquare = 0.0;
+    double area = 0.0;
+    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
+    {
+      const double childArea = tree[c].area;
+      const double mean = Mean(this->Values[c]);
+      area += childArea;
+      source += childArea * this->Sources[c];
+      value += childArea * this->Values[c];
+      weighted += childArea * this->Weighted[c];
+      sourceSquare += childArea * this->SourceRms[c] * this->SourceRms[c];
+      square += childArea * (mean * mean + this->Spreads[c] * this->Spreads[c]);
+    }
+    if (area <= 0.0)
+    {
+      continue;
+    }
+    this->Sources[id] = source / area;
+    this->SourceRms[id] = std::sqrt(sourceSquare / area);
+    this->Values[id] = value / area;
+    this->Weighted[id] = weighted / area;
+    const double mean = Mean(this->Values[id]);
+    this->Spreads[id] = std::sqrt(std::max(0.0, square / area - mean * mean));
+  }
+}
+
+std::size_t Flow::Bytes() const
+{
+  return this->Values.capacity() * (4 * sizeof(Color) + 4 * sizeof(double));
+}
+
+} // namespace vantage

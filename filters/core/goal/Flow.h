@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/goal/Link.h"
+
+#include <vector>
+
+/// \file Flow.h
+/// One of the two quantities that travel over the links: radiance, or reflected importance.
+
+namespace vantage
+{
+
+/// Both obey the same equation, so this is written once. On every leaf i
+///
+///     value_i = source_i + albedo_i / pi * d_i * sum over links of F_ik (d value)_k
+///
+/// where radiance L has the source E, and reflected importance Y = albedo / pi * P has the source
+/// albedo / pi * V. d is the closure (Closure.h), 1 where there is none. What a link brings is
+/// constant over its end and reaches all leaves below it; what a link takes is the mean.
+class Flow
+{
+public:
+  /// Makes room for new nodes; they start with the value of their parent.
+  void Follow(const OpenTree& tree);
+
+  /// One sweep over all links (Jacobi): the values on the right are those of the last sweep.
+  /// Returns the largest change of area times value of all leaves, relative to the sum of it.
+  /// O(links + nodes).
+  double Sweep(
+    const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
+
+  /// Means over the nodes, weighted by area.
+  const Color& Value(OpenId id) const { return this->Values[id]; }
+  /// Standard deviation of the mean channel over the node: between the leaves below, and within
+  /// them as the variation of their links tells. Of a leaf that is a cluster: all that it received,
+  /// and its source as SetSource() was told.
+  double Spread(OpenId id) const { return this->Spreads[id]; }
+
+  /// Of a leaf; `rms` is the root mean square of the mean channel over it: how unevenly it lies
+  /// there.
+  void SetSource(OpenId id, const Color& source, double rms = 0.0)
+  {
+    this->Sources[id] = source;
+    this->SourceRms[id] = rms;
+  }
+  double RmsOfSource(OpenId id) const { return this->SourceRms[id]; }
+  const Color& Source(OpenId id) const { return this->Sources[id]; }
+  /// What came over links: Value - Source.
+  Color Received(OpenId id) const { return this->Values[id] - this->Sources[id]; }
+
+  /// What arrives at a leaf: irradiance H, or P - V.
+  const Color& Arriving(OpenId leaf) const { return this->Incoming[leaf]; }
+
+  void Clear();
+  std::size_t Bytes() const;
+
+private:
+  void Receive(const Link& link, OpenId to, OpenId from, double area);
+  void PushDown(const OpenTree& tree);
+  double ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure);
+  double SpreadOfCluster(OpenId leaf) const;
+  void PullUp(const OpenTree& tree);
+
+  std::vector<Color> Sources; ///< of each node
+  std::vector<double> SourceRms;
+  std::vector<Color> Values;
+  std::vector<Color> Weighted;   ///< d times value, mean
+  std::vector<Color> Incoming;   ///< irradiance: from own links, then from all above, then times d
+  std::vector<double> Variances; ///< of the irradiance over the node, likewise
+  std::vector<double> Shadows;   ///< its deviation by shadows, which all may fall on the same part
+  std::vector<double> Spreads;
+};
+
+} // namespace vantage

@@ -1,0 +1,327 @@
+#include "core/goal/GoalOrientedTransport.h"
+
+#include "core/goal/LinkErrors.h"
+#include "core/goal/RowClosure.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// Sweeps end when this part is left to come.
+constexpr double SweepTolerance = 2e-4;
+constexpr int MostSweeps = 10000;
+/// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
+constexpr double SameSize = 1e-6;
+
+double LongestEdge(const Node& node)
+{
+  double longest = 0.0;
+  for (int i = 0; i < node.cornerCount; ++i)
+  {
+    longest =
+      std::max(longest, glm::length(node.corners[(i + 1) % node.cornerCount] - node.corners[i]));
+  }
+  return longest;
+}
+
+} // namespace
+
+GoalOrientedTransport::GoalOrientedTransport(ElementTree tree, const OccluderScene& occluders,
+  std::vector<PatchOptics> optics, double meanFacetArea, const GoalOrientedSettings& settings)
+  : Open(std::move(tree), occluders, std::move(optics))
+  , Occluders(&occluders)
+  , Settings(settings)
+  , MinimumLength(settings.minimumElementSize * std::sqrt(meanFacetArea))
+  , Evaluator(this->Open, occluders, settings.visibilityRays, settings.seed)
+{
+  this->Evaluate({ LinkRequest{ { 0, 0 } } });
+}
+
+void GoalOrientedTransport::SetOptics(std::vector<PatchOptics> optics)
+{
+  this->Open.SetOptics(std::move(optics));
+  this->FollowTree();
+  this->SetSources();
+  this->RadianceFlow.Clear();
+  this->ImportanceFlow.Clear();
+}
+
+void GoalOrientedTransport::SetView(std::vector<ViewSample> samples)
+{
+  this->Open.SetView(std::move(samples));
+  this->FollowTree();
+  this->SetSources();
+  this->ImportanceFlow.Clear();
+}
+
+void GoalOrientedTransport::FollowTree()
+{
+  this->RadianceFlow.Follow(this->Open);
+  this->ImportanceFlow.Follow(this->Open);
+  for (OpenId id = static_cast<OpenId>(this->Closure.size()); id < this->Open.Size(); ++id)
+  {
+    this->Closure.push_back(id == 0 ? 1.0 : this->Closure[this->Open[id].parent]);
+  }
+}
+
+void GoalOrientedTransport::SetSources()
+{
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    const OpenNode& node = this->Open[id];
+    if (!node.IsLeaf())
+    {
+      continue;
+    }
+    this->RadianceFlow.SetSource(id, node.emission, node.emissionRms);
+    if (!node.IsExposed())
+    {
+      continue;
+    }
+    const Color reflection = node.albedo / Pi;
+    const double view = this->Settings.importance ? node.view / node.area : 1.0;
+    this->ImportanceFlow.SetSource(id, reflection * view, Mean(reflection) * node.viewRms);
+  }
+}
+
+void GoalOrientedTransport::Solve()
+{
+  this->FollowTree();
+  this->SetSources();
+  this->Open.SumAreas();
+  CloseRows(this->Open, this->AllLinks, this->Closure);
+  this->Converge(this->RadianceFlow);
+  this->Converge(this->ImportanceFlow);
+  LinkErrors errors =
+    EstimateLinkErrors(this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow);
+  this->Errors = std::move(errors.ofLink);
+  const double goal = this->Goal();
+  this->Estimate = goal > 0.0 ? errors.all / goal : 0.0;
+}
+
+void GoalOrientedTransport::Converge(Flow& flow)
+{
+  // What a sweep changes falls by the same factor each time in the end: what is left to come is the
+  // rest of a geometric series.
+  double lastChange = 0.0;
+  for (int sweep = 0; sweep < MostSweeps; ++sweep)
+  {
+    ++this->Counts.sweeps;
+    const double change = flow.Sweep(this->Open, this->AllLinks, this->Closure);
+    const double slowing = lastChange - change;
+    if (change == 0.0 || (change < SweepTolerance && change * change < SweepTolerance * slowing))
+    {
+      break;
+    }
+    lastChange = change;
+  }
+}
+
+double GoalOrientedTransport::Goal() const
+{
+  if (this->Settings.importance)
+  {
+    return Mean(this->ViewFlux());
+  }
+  double flux = 0.0;
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    if (this->Open[id].IsLeaf())
+    {
+      flux += this->Open[id].area * Mean(this->RadianceFlow.Value(id));
+    }
+  }
+  return flux;
+}
+
+Color GoalOrientedTransport::ViewFlux() const
+{
+  Color flux(0.0);
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    if (this->Open[id].IsLeaf())
+    {
+      flux += this->Open[id].view * this->RadianceFlow.Value(id);
+    }
+  }
+  return flux;
+}
+
+Color GoalOrientedTransport::ViewFluxOfImportance() const
+{
+  Color flux(0.0);
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    const OpenNode& node = this->Open[id];
+    if (node.IsLeaf() && node.IsExposed())
+    {
+      flux += node.emission * (Color(node.view) + node.area * this->ImportanceFlow.Arriving(id));
+    }
+  }
+  return flux;
+}
+
+std::size_t GoalOrientedTransport::LeafCount() const
+{
+  std::size_t count = 0;
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    count += this->Open[id].IsLeaf() && !this->Open[id].IsCluster() ? 1 : 0;
+  }
+  return count;
+}
+
+std::size_t GoalOrientedTransport::Refine(double share)
+{
+  std::vector<std::uint32_t> worst;
+  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
+  {
+    if (this->Errors[i] > 0.0 && this->MayRefine(this->AllLinks[i]))
+    {
+      worst.push_back(i);
+    }
+  }
+  const auto isWorse = [this](std::uint32_t a, std::uint32_t b)
+  { return this->Errors[a] != this->Errors[b] ? this->Errors[a] > this->Errors[b] : a < b; };
+  std::sort(worst.begin(), worst.end(), isWorse);
+  double mass = 0.0;
+  for (const std::uint32_t i : worst)
+  {
+    mass += this->Errors[i];
+  }
+  std::size_t count = 0;
+  for (double covered = 0.0; count < worst.size() && covered < share * mass; ++count)
+  {
+    covered += this->Errors[worst[count]];
+  }
+  worst.resize(count);
+  std::sort(worst.begin(), worst.end());
+  std::vector<LinkRequest> requests;
+  std::vector<char> isRefined(this->AllLinks.size(), 0);
+  for (const std::uint32_t i : worst)
+  {
+    isRefined[i] = 1;
+    this->AppendRequests(this->AllLinks[i], requests);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < this->AllLinks.size(); ++i)
+  {
+    if (!isRefined[i])
+    {
+      this->AllLinks[kept++] = this->AllLinks[i];
+    }
+  }
+  this->AllLinks.resize(kept);
+  ++this->Counts.rounds;
+  this->Counts.refined += count;
+  this->Evaluate(requests);
+  return count;
+}
+
+bool GoalOrientedTransport::MaySplit(OpenId id) const
+{
+  const OpenNode& node = this->Open[id];
+  return node.IsCluster() || !node.IsLeaf() ||
+         (node.level < this->Settings.maximumLevel &&
+           0.5 * LongestEdge(this->Open.Geometry(id)) >= this->MinimumLength);
+}
+
+bool GoalOrientedTransport::MayRefine(const Link& link) const
+{
+  return this->MaySplit(link.ends[0]) || this->MaySplit(link.ends[1]);
+}
+
+std::array<bool, 2> GoalOrientedTransport::EndsToSplit(const Link& link) const
+{
+  const auto [a, b] = link.ends;
+  if (link.IsSelf())
+  {
+    return { true, true };
+  }
+  const std::array<bool, 2> may{ this->MaySplit(a), this->MaySplit(b) };
+  const double first = this->Open.Geometry(a).radius;
+  const double second = this->Open.Geometry(b).radius;
+  const bool isClusterFirst = this->Open[a].IsCluster();
+  const bool isClusterSecond = this->Open[b].IsCluster();
+  if (isClusterFirst != isClusterSecond)
+  {
+    // A surface sees the surfaces in a cluster, whatever the sizes: lamps are to get their names.
+    return { isClusterFirst, isClusterSecond };
+  }
+  if (!may[0] || !may[1] || (!isClusterFirst && std::abs(first - second) <= SameSize * first))
+  {
+    return may;
+  }
+  return { first >= second, first < second };
+}
+
+std::vector<OpenId> GoalOrientedTransport::Parts(OpenId id, bool isSplit)
+{
+  if (!isSplit)
+  {
+    return { id };
+  }
+  this->Open.Open(id);
+  std::vector<OpenId> parts(this->Open[id].childCount);
+  std::iota(parts.begin(), parts.end(), this->Open[id].firstChild);
+  return parts;
+}
+
+void GoalOrientedTransport::AppendRequests(const Link& link, std::vector<LinkRequest>& requests)
+{
+  const std::array<bool, 2> split = this->EndsToSplit(link);
+  const std::vector<OpenId> first = this->Parts(link.ends[0], split[0]);
+  const std::vector<OpenId> second = this->Parts(link.ends[1], split[1]);
+  for (const OpenId a : first)
+  {
+    for (const OpenId b : second)
+    {
+      const bool isTwice = link.IsSelf() && b < a;
+      const bool isFlat = a == b && !this->Open[a].IsCluster();
+      if (!isTwice && !isFlat && this->Open[a].IsExposed() && this->Open[b].IsExposed())
+      {
+        requests.push_back({ { a, b }, link.visibility, link.agreeingRays });
+      }
+    }
+  }
+}
+
+void GoalOrientedTransport::Evaluate(const std::vector<LinkRequest>& requests)
+{
+  std::vector<EvaluatedLink> made(requests.size());
+  tbb::parallel_for(std::size_t(0), requests.size(),
+    [&](std::size_t i) { made[i] = this->Evaluator.Evaluate(requests[i]); });
+  for (const EvaluatedLink& result : made)
+  {
+    const Link& link = result.link;
+    const bool hasCluster =
+      this->Open[link.ends[0]].IsCluster() || this->Open[link.ends[1]].IsCluster();
+    ++(hasCluster ? this->Counts.clusterPairs : this->Counts.surfacePairs);
+    this->Counts.linkRays += result.rays;
+    this->Counts.certified += result.rays == 0 && !hasCluster && !result.isKnownHidden ? 1 : 0;
+    if (result.isKnownHidden)
+    {
+      ++this->Counts.hidden;
+      continue;
+    }
+    this->AllLinks.push_back(link);
+    this->AllLinks.back().step = this->Counts.rounds;
+  }
+}
+
+std::size_t GoalOrientedTransport::Bytes() const
+{
+  return this->Open.Bytes() + this->AllLinks.capacity() * (sizeof(Link) + sizeof(double)) +
+         this->Closure.capacity() * sizeof(double) + this->RadianceFlow.Bytes() +
+         this->ImportanceFlow.Bytes();
+}
+
+} // namespace vantage

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/goal/Flow.h"
+#include "core/goal/LinkEvaluator.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file GoalOrientedTransport.h
+/// Only the interactions that the view needs.
+
+namespace vantage
+{
+
+struct GoalOrientedSettings
+{
+  std::uint32_t visibilityRays = 16; ///< a pair that is partly visible, 1 .. 1024
+  double minimumElementSize = 0.05;  ///< RefinementSettings::minimumElementSize
+  int maximumLevel = 10;             ///< splits below a patch
+  bool importance = true;            ///< false: every surface matters as much as another
+  std::uint64_t seed = 1;            ///< of points and rays between the ends of links
+};
+
+/// What was done so far, where it was done.
+struct GoalOrientedCounters
+{
+  std::uint64_t surfacePairs = 0; ///< links between patches or elements that were evaluated
+  std::uint64_t clusterPairs = 0;
+  std::uint64_t linkRays = 0;
+  std::uint64_t refined = 0;   ///< links replaced by finer ones
+  std::uint64_t certified = 0; ///< whose visibility was taken over from their parent
+  std::uint64_t hidden = 0;    ///< dropped: nothing passes
+  std::uint64_t sweeps = 0;
+  std::uint32_t rounds = 0;
+};
+
+/// Hierarchical interactions over clusters, patches and elements, made on demand from a single one
+/// between the root and itself. The graph that exists is solved nearly to convergence, for radiance
+/// and for importance; then the links with the largest part in the error of the view are refined,
+/// both in order and in number as importance tells (the combination that the conclusion of Bekaert
+/// and Willems 1995 asks for; dual weighted residuals: Becker and Rannacher 2001).
+///
+/// The picture is gathered (view/ViewGather.h): lamps are integrated at every pixel and radiance is
+/// looked up one reflection away. So an error of radiance counts as much as the importance that a
+/// surface *receives*, and links from lamps to what the eye sees need not be fine, only known.
+class GoalOrientedTransport
+{
+public:
+  /// `occluders` must outlive this.
+  GoalOrientedTransport(ElementTree tree, const OccluderScene& occluders,
+    std::vector<PatchOptics> optics, double meanFacetArea, const GoalOrientedSettings& settings);
+
+  /// Other materials: radiance and importance start anew, links stay.
+  void SetOptics(std::vector<PatchOptics> optics);
+  /// Another view: importance starts anew, radiance and links stay.
+  void SetView(std::vector<ViewSample> samples);
+
+  /// Solves for radiance and importance on the links there are and ranks these. O(links) a sweep.
+  void Solve();
+  /// Replaces the links with the largest errors by finer ones, `share` of all in (0, 1]. Returns
+  /// how many. \pre Solve
+  std::size_t Refine(double share);
+
+  /// Of the relative L1 error of a gathered picture, the part that comes from the links. \pre Solve
+  double ErrorEstimate() const { return this->Estimate; }
+  /// <V, L>: light through the view, W m^-2. \pre Solve
+  Color ViewFlux() const;
+  /// The same from the other side, <E, P>. \pre Solve
+  Color ViewFluxOfImportance() const;
+  /// Leaves of the opened tree that are patches or elements.
+  std::size_t LeafCount() const;
+
+  const OpenTree& Tree() const { return this->Open; }
+  const std::vector<Link>& Links() const { return this->AllLinks; }
+  const Flow& Radiance() const { return this->RadianceFlow; }
+  const Flow& Importance() const { return this->ImportanceFlow; }
+  const GoalOrientedCounters& Counters() const { return this->Counts; }
+  std::size_t Bytes() const;
+
+private:
+  void FollowTree();
+  void SetSources();
+  void Converge(Flow& flow);
+  /// What errors are relative to: the view flux, or what it is when all surfaces matter alike.
+  double Goal() const;
+  bool MaySplit(OpenId id) const;
+  bool MayRefine(const Link& link) const;
+  std::array<bool, 2> EndsToSplit(const Link& link) const;
+  void AppendRequests(const Link& link, std::vector<LinkRequest>& requests);
+  std::vector<OpenId> Parts(OpenId id, bool isSplit);
+  void Evaluate(const std::vector<LinkRequest>& requests);
+
+  OpenTree Open;
+  const OccluderScene* Occluders;
+  GoalOrientedSettings Settings;
+  double MinimumLength;
+  LinkEvaluator Evaluator;
+  std::vector<Link> AllLinks;
+  std::vector<double> Errors; ///< LinkErrors::ofLink
+  std::vector<double> Closure;
+  Flow RadianceFlow;
+  Flow ImportanceFlow;
+  double Estimate = 0.0;
+  GoalOrientedCounters Counts;
+};
+
+} // namespace vantage

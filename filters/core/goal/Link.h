@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/goal/OpenTree.h"
+
+#include <array>
+#include <cstdint>
+
+/// \file Link.h
+/// A hierarchical interaction.
+
+namespace vantage
+{
+
+/// Two nodes that exchange light, or a node with itself (all that its parts exchange). One
+/// throughput serves both directions.
+struct Link
+{
+  std::array<OpenId, 2> ends;
+  double throughput = 0.0; ///< G, m^2 sr, visibility included
+  double visibility = 1.0; ///< visible fraction
+  /// How far the throughput itself may be off, m^2 sr: what a few rays cannot know.
+  double uncertainty = 0.0;
+  /// How far the throughput between parts of the ends is from what the mean says, m^2 sr: that the
+  /// kernel varies over the ends ...
+  double variation = 0.0;
+  double shadowing = 0.0; ///< ... or their visibility
+  /// Rays that found the same, all free or all hidden, down the chain of ancestors to here; 0 where
+  /// they disagreed.
+  std::uint32_t agreeingRays = 0;
+  std::uint32_t step = 0; ///< the round in which it was made
+
+  bool IsSelf() const { return this->ends[0] == this->ends[1]; }
+};
+
+} // namespace vantage

@@ -1,0 +1,86 @@
+#include "core/goal/PatchOrder.h"
+
+#include <algorithm>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// The place in [range.first, range.last) where the running sum passes the target.
+std::uint32_t PlaceWhere(const std::vector<double>& before, const PatchRange& range, double target)
+{
+  const auto first = before.begin() + range.first + 1;
+  const auto last = before.begin() + range.last;
+  return range.first + static_cast<std::uint32_t>(std::upper_bound(first, last, target) - first);
+}
+
+} // namespace
+
+PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& optics)
+  : Ranges(tree.Size())
+  , Places(tree.Patches().size(), None)
+{
+  const auto visit = [&](const auto& self, NodeId node) -> void
+  {
+    const auto first = static_cast<std::uint32_t>(this->Patches.size());
+    if (tree[node].IsCluster())
+    {
+      self(self, tree[node].firstChild);
+      self(self, tree[node].firstChild + 1);
+    }
+    else
+    {
+      this->Places[tree[node].patch] = first;
+      this->Patches.push_back(tree[node].patch);
+    }
+    this->Ranges[node] = { first, static_cast<std::uint32_t>(this->Patches.size()) };
+  };
+  visit(visit, tree.Root());
+  this->AreaBefore.push_back(0.0);
+  this->PowerBefore.push_back(0.0);
+  this->SquareBefore.push_back(0.0);
+  this->AlbedoBefore.emplace_back(0.0);
+  this->EmissionBefore.emplace_back(0.0);
+  for (const PatchId patch : this->Patches)
+  {
+    const double area = tree[tree.Patches()[patch].node].area;
+    const PatchOptics& surface = optics[patch];
+    this->AreaBefore.push_back(this->AreaBefore.back() + area);
+    const double emission = Mean(surface.emission);
+    this->PowerBefore.push_back(this->PowerBefore.back() + area * emission);
+    this->SquareBefore.push_back(this->SquareBefore.back() + area * emission * emission);
+    this->AlbedoBefore.push_back(this->AlbedoBefore.back() + area * surface.albedo);
+    this->EmissionBefore.push_back(this->EmissionBefore.back() + area * surface.emission);
+  }
+}
+
+PatchOrder::Draw PatchOrder::At(const PatchRange& range, double u) const
+{
+  const double area = this->Area(range);
+  const double power = Between(this->PowerBefore, range);
+  const double shareOfPower = power > 0.0 ? 0.5 : 0.0;
+  const bool isByPower = u < shareOfPower;
+  const double v = isByPower ? u / shareOfPower : (u - shareOfPower) / (1.0 - shareOfPower);
+  const std::uint32_t place =
+    isByPower ? PlaceWhere(this->PowerBefore, range, this->PowerBefore[range.first] + v * power)
+              : PlaceWhere(this->AreaBefore, range, this->AreaBefore[range.first] + v * area);
+  const PatchRange one{ place, place + 1 };
+  double density = (1.0 - shareOfPower) / area;
+  if (shareOfPower > 0.0)
+  {
+    density += shareOfPower * Between(this->PowerBefore, one) / (power * this->Area(one));
+  }
+  return { this->Patches[place], density };
+}
+
+std::size_t PatchOrder::Bytes() const
+{
+  return this->Ranges.capacity() * sizeof(PatchRange) +
+         (this->Patches.capacity() + this->Places.capacity()) * sizeof(std::uint32_t) +
+         3 * this->AreaBefore.capacity() * sizeof(double) +
+         2 * this->AlbedoBefore.capacity() * sizeof(Color);
+}
+
+} // namespace vantage

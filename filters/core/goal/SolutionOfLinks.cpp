@@ -1,0 +1,134 @@
+#include "core/goal/SolutionOfLinks.h"
+
+#include <algorithm>
+#include <map>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// A lamp that so many rays did not find is taken for hidden.
+constexpr std::uint32_t RaysToGiveUp = 64;
+
+/// Direct light that arrives at a node, not at its children alone.
+struct DirectLight
+{
+  std::vector<PatchId> lamps;
+  Color unnamed{ 0.0 }; ///< irradiance, W m^-2
+};
+
+class SolutionMaker
+{
+public:
+  explicit SolutionMaker(const GoalOrientedTransport& transport)
+    : Transport(transport)
+    , Tree(transport.Tree())
+    , Direct(transport.Tree().Size())
+  {
+    for (const Link& link : transport.Links())
+    {
+      this->Note(link, 0);
+      this->Note(link, 1);
+    }
+    this->Made.SetPatches(this->Tree.Tree(), this->Tree.Optics());
+    this->Made.elements.resize(this->Tree.Size());
+  }
+
+  RadianceSolution Make()
+  {
+    for (OpenId id = 0; id < this->Tree.Size(); ++id)
+    {
+      if (id > 0)
+      {
+        this->Inherit(this->Direct[id], this->Direct[this->Tree[id].parent]);
+      }
+      this->MakeElement(id);
+    }
+    return std::move(this->Made);
+  }
+
+private:
+  /// What the other end of a link emits toward `end`.
+  void Note(const Link& link, int end)
+  {
+    const OpenId to = link.ends[end];
+    const OpenId from = link.ends[1 - end];
+    const OpenNode& lamp = this->Tree[from];
+    if (!(Mean(lamp.emission) > 0.0) || (link.IsSelf() && end == 1))
+    {
+      return;
+    }
+    if (lamp.IsCluster())
+    {
+      this->Direct[to].unnamed += link.throughput / this->Tree[to].area * lamp.emission;
+    }
+    else if (link.throughput > 0.0 || link.agreeingRays < RaysToGiveUp)
+    {
+      this->Direct[to].lamps.push_back(lamp.patch);
+    }
+  }
+
+  static void Inherit(DirectLight& child, const DirectLight& parent)
+  {
+    child.unnamed += parent.unnamed;
+    child.lamps.insert(child.lamps.end(), parent.lamps.begin(), parent.lamps.end());
+    std::sort(child.lamps.begin(), child.lamps.end());
+    child.lamps.erase(std::unique(child.lamps.begin(), child.lamps.end()), child.lamps.end());
+  }
+
+  void MakeElement(OpenId id)
+  {
+    const OpenNode& node = this->Tree[id];
+    RadianceSolution::Element& element = this->Made.elements[id];
+    element.node = node.node;
+    element.reflected = this->Transport.Radiance().Received(id);
+    element.unnamedDirect = this->Direct[id].unnamed;
+    if (!node.IsLeaf())
+    {
+      element.firstChild = node.firstChild;
+      element.childCount = node.childCount;
+    }
+    else
+    {
+      this->NameLamps(element, this->Direct[id].lamps);
+    }
+    if (node.IsCluster() ? node.IsLeaf() : node.level == 0)
+    {
+      const PatchRange range = this->Tree.RangeOf(id);
+      for (std::uint32_t place = range.first; place < range.last; ++place)
+      {
+        this->Made.elementOfPatch[this->Tree.Patches()[place]] = id;
+      }
+    }
+  }
+
+  /// Neighbours tend to have the same lamps: each list is stored once.
+  void NameLamps(RadianceSolution::Element& element, const std::vector<PatchId>& lamps)
+  {
+    const auto [known, isNew] =
+      this->Lists.try_emplace(lamps, static_cast<std::uint32_t>(this->Made.lamps.size()));
+    if (isNew)
+    {
+      this->Made.lamps.insert(this->Made.lamps.end(), lamps.begin(), lamps.end());
+    }
+    element.firstLamp = known->second;
+    element.lastLamp = known->second + static_cast<std::uint32_t>(lamps.size());
+  }
+
+  const GoalOrientedTransport& Transport;
+  const OpenTree& Tree;
+  std::vector<DirectLight> Direct; ///< of each open node, then with that of its ancestors
+  std::map<std::vector<PatchId>, std::uint32_t> Lists;
+  RadianceSolution Made;
+};
+
+} // namespace
+
+RadianceSolution SolutionOfLinks(const GoalOrientedTransport& transport)
+{
+  return SolutionMaker(transport).Make();
+}
+
+} // namespace vantage

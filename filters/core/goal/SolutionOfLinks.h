@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/goal/GoalOrientedTransport.h"
+#include "core/transport/RadianceSolution.h"
+
+/// \file SolutionOfLinks.h
+/// The solution as those see it who look at it.
+
+namespace vantage
+{
+
+/// A lamp is named on an element when a link to it, or to a part of it, lets light pass or may do
+/// so; lamps in clusters that were not looked into are in `unnamedDirect`.
+/// O(nodes + links + patches). \pre the transport is solved
+RadianceSolution SolutionOfLinks(const GoalOrientedTransport& transport);
+
+} // namespace vantage

@@ -1,0 +1,167 @@
+#include "core/transport/ExtractRadianceSolution.h"
+
+#include "core/transport/Transport.h"
+
+#include <algorithm>
+#include <map>
+
+namespace vantage
+{
+
+namespace
+{
+
+using LampList = std::vector<PatchId>;
+
+/// Emitting patches that each node interacts with, ascending, without those of its ancestors.
+std::vector<LampList> LampsOfNodes(const Transport& transport)
+{
+  const ElementTree& tree = transport.Tree();
+  std::vector<LampList> lamps(tree.Size());
+  for (InteractionId id = 0; id < transport.Graph().Size(); ++id)
+  {
+    const Interaction& link = transport.Graph()[id];
+    for (End end = 0; end < 2; ++end)
+    {
+      const PatchId other = tree[link.ends[Other(end)]].patch;
+      if (MaxChannel(transport.OpticsOf(other).emission) > 0.0)
+      {
+        lamps[link.ends[end]].push_back(other);
+      }
+    }
+  }
+  for (LampList& list : lamps)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return lamps;
+}
+
+LampList Union(const LampList& a, const LampList& b)
+{
+  LampList all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+/// The lamps that the leaves name. An interaction whose few rays were all blocked does not exist,
+/// although a part of the element may see the lamp; so an element takes over what those around it
+/// name: all of the patch when these are few, else the elements below its grandparent.
+class LampsOfLeaves
+{
+public:
+  explicit LampsOfLeaves(const Transport& transport)
+    : Tree(&transport.Tree())
+    , Above(LampsOfNodes(transport))
+    , Below(this->Above)
+  {
+    const ElementTree& tree = *this->Tree;
+    for (NodeId id = tree.Size(); id-- > 0;)
+    {
+      if (tree[id].level > 0)
+      {
+        LampList& ofParent = this->Below[tree[id].parent];
+        ofParent = Union(ofParent, this->Below[id]);
+      }
+    }
+    for (NodeId id = 0; id < tree.Size(); ++id)
+    {
+      if (tree[id].level > 0)
+      {
+        this->Above[id] = Union(this->Above[id], this->Above[tree[id].parent]);
+      }
+    }
+  }
+
+  LampList Of(NodeId leaf) const
+  {
+    const ElementTree& tree = *this->Tree;
+    const LampList& ofPatch = this->Below[tree.PatchOfNode(leaf).node];
+    if (ofPatch.size() <= FewLamps)
+    {
+      return ofPatch;
+    }
+    NodeId around = leaf;
+    for (int k = 0; k < 2 && tree[around].level > 0; ++k)
+    {
+      around = tree[around].parent;
+    }
+    return Union(this->Above[leaf], this->Below[around]);
+  }
+
+private:
+  static constexpr std::size_t FewLamps = 16;
+
+  const ElementTree* Tree;
+  std::vector<LampList> Above; ///< of a node and its ancestors
+  std::vector<LampList> Below; ///< of a node and its descendants
+};
+
+/// Hands out ranges of the solution's lamps, each list once.
+class LampRanges
+{
+public:
+  explicit LampRanges(std::vector<PatchId>& lamps)
+    : Lamps(&lamps)
+  {
+  }
+
+  std::uint32_t FirstOf(const LampList& list)
+  {
+    const auto [place, isNew] =
+      this->Known.emplace(list, static_cast<std::uint32_t>(this->Lamps->size()));
+    if (isNew)
+    {
+      this->Lamps->insert(this->Lamps->end(), list.begin(), list.end());
+    }
+    return place->second;
+  }
+
+private:
+  std::vector<PatchId>* Lamps;
+  std::map<LampList, std::uint32_t> Known;
+};
+
+} // namespace
+
+RadianceSolution ExtractRadianceSolution(const Transport& transport)
+{
+  const ElementTree& tree = transport.Tree();
+  std::vector<PatchOptics> optics(tree.Patches().size());
+  for (PatchId p = 0; p < optics.size(); ++p)
+  {
+    optics[p] = transport.OpticsOf(p);
+  }
+  RadianceSolution solution;
+  solution.SetPatches(tree, optics);
+  const LampsOfLeaves lamps(transport);
+  LampRanges ranges(solution.lamps);
+  solution.elements.resize(tree.Size());
+  for (NodeId id = 0; id < tree.Size(); ++id)
+  {
+    const Node& node = tree[id];
+    if (node.IsCluster())
+    {
+      continue;
+    }
+    RadianceSolution::Element& element = solution.elements[id];
+    element.node = id;
+    element.firstChild = node.firstChild;
+    element.childCount = node.childCount;
+    element.reflected = transport.Radiance(id) - optics[node.patch].emission;
+    if (node.level == 0)
+    {
+      solution.elementOfPatch[node.patch] = id;
+    }
+    if (node.IsLeaf())
+    {
+      const LampList list = lamps.Of(id);
+      element.firstLamp = ranges.FirstOf(list);
+      element.lastLamp = element.firstLamp + static_cast<std::uint32_t>(list.size());
+    }
+  }
+  return solution;
+}
+
+} // namespace vantage

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/mesh/ElementTree.h"
+#include "core/transport/PatchOptics.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// \file RadianceSolution.h
+/// What a solver knows about the light on every surface, for those who look at it.
+
+namespace vantage
+{
+
+/// Where a point lies on a patch: (s, t) of the bilinear map on a quadrilateral, the barycentric
+/// coordinates of corners 1 and 2 on a triangle. Halving them goes down the element tree.
+class PatchCoordinates
+{
+public:
+  PatchCoordinates() = default;
+  /// \pre a convex polygon of three or four corners
+  explicit PatchCoordinates(const Polygon& shape);
+
+  bool IsTriangle() const { return this->Corners == 3; }
+  Vec2 Of(const Vec3& point) const
+  {
+    const Vec3 x = point - this->Origin;
+    const Vec2 affine(glm::dot(x, this->DualU), glm::dot(x, this->DualV));
+    return this->IsAffine ? affine : this->Bilinear(affine);
+  }
+
+private:
+  Vec2 Bilinear(const Vec2& affine) const;
+
+  Vec3 Origin{ 0.0 };
+  Vec3 DualU{ 0.0 }, DualV{ 0.0 }; ///< of the edges from corner 0 to corner 1, and to the last one
+  Vec2 Twist{ 0.0 };               ///< corner 0 - corner 1 + corner 2 - corner 3 in that basis
+  std::uint8_t Corners = 0;
+  bool IsAffine = true; ///< a triangle or a parallelogram
+};
+
+/// The light on all surfaces at one moment. It is plain data that refers to nothing else, so it
+/// stays valid whatever becomes of the solver that made it. Patches are numbered as in the
+/// ElementTree of the same facets.
+///
+/// Light that comes straight from a lamp is known twice. It is part of `reflected`, as coarse as
+/// the elements are; and each element names the lamps it comes from, so that who wants it exactly
+/// can compute it at a point and leave the emission of what the point sees out.
+struct RadianceSolution
+{
+  using NodeIndex = std::uint32_t;
+
+  /// An element (or a patch, or a cluster of patches that nobody looked into).
+  struct Element
+  {
+    Color reflected{ 0.0 }; ///< radiance without own emission, mean over it, W m^-2 sr^-1
+    /// Irradiance from lamps that are too far or too faint to be named, W m^-2. Of leaves only.
+    Color unnamedDirect{ 0.0 };
+    NodeIndex firstChild = None;
+    NodeId node = None; ///< its id in the element tree of the solver
+    /// Named lamps: lamps[firstLamp .. lastLamp), ascending. Of leaves (childCount = 0) only.
+    std::uint32_t firstLamp = 0;
+    std::uint32_t lastLamp = 0;
+    std::uint8_t childCount = 0; ///< 0 or 4: as ElementTree::Split makes them
+  };
+
+  std::vector<Element> elements;
+  std::vector<NodeIndex> elementOfPatch;     ///< where a patch starts; None for an inactive side
+  std::vector<PatchCoordinates> coordinates; ///< of each patch; see SetPatches()
+  std::vector<PatchId> lamps;                ///< emitting patches, in ranges that elements refer to
+  std::vector<Color> emission;               ///< of each patch, W m^-2 sr^-1
+  std::vector<Color> albedo;                 ///< of each patch
+
+  /// Coordinates, emission and albedo of the patches of a tree; no patch has elements yet.
+  void SetPatches(const ElementTree& tree, const std::vector<PatchOptics>& optics);
+
+  bool IsActive(PatchId patch) const { return this->elementOfPatch[patch] != None; }
+
+  /// The leaf element of a patch that holds a point of it; a point outside goes to one near the
+  /// border. \pre the patch is active. A few nanoseconds a level.
+  NodeIndex LeafAt(PatchId patch, const Vec3& point) const;
+
+  /// Radiance that leaves a patch at a point without its own emission; (0,0,0) on an inactive side.
+  Color ReflectedAt(PatchId patch, const Vec3& point) const
+  {
+    return this->IsActive(patch) ? this->elements[this->LeafAt(patch, point)].reflected
+                                 : Color(0.0);
+  }
+
+  std::size_t Bytes() const;
+};
+
+} // namespace vantage

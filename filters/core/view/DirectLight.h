@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/transport/RadianceSolution.h"
+#include "core/visibility/OccluderScene.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file DirectLight.h
+/// Light straight from the lamps, at points.
+
+namespace vantage
+{
+
+struct DirectCounters
+{
+  std::uint64_t lampEvaluations = 0; ///< a lamp that lights a point, whole or in part
+  std::uint64_t cutEvaluations = 0;  ///< of these, with shadows cut out of the lamp
+  std::uint64_t occluderQueries = 0; ///< for the facets between a group of points and a lamp
+  std::uint64_t shadowRays = 0;
+
+  void Add(const DirectCounters& other)
+  {
+    this->lampEvaluations += other.lampEvaluations;
+    this->cutEvaluations += other.cutEvaluations;
+    this->occluderQueries += other.occluderQueries;
+    this->shadowRays += other.shadowRays;
+  }
+};
+
+/// Irradiance from the lamps that the elements of a solution name, without noise: a group of points
+/// of one patch and a lamp have few facets in between; without any, Lambert's formula holds, and
+/// the shadows of a few are cut out of the lamp at each point. Groups are halved until one or the
+/// other applies. Where a point sees a lamp past more than a dozen facets that each hide a part,
+/// shadow rays decide; the relative error is then about 0.2 %.
+/// Refers to occluders and solution, which must outlive it. Safe to use from many threads.
+class DirectLight
+{
+public:
+  DirectLight(const OccluderScene& occluders, const RadianceSolution& solution)
+    : Occluders(&occluders)
+    , Solution(&solution)
+  {
+  }
+
+  /// Irradiance at points of one patch, W m^-2, the part of the unnamed lamps included: near points
+  /// are best asked for together. (0,0,0) on an inactive side. Works on all threads of the arena;
+  /// a point's result depends on the others by rounding only, and not on the threads.
+  std::vector<Color> At(
+    PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const;
+
+private:
+  const OccluderScene* Occluders;
+  const RadianceSolution* Solution;
+};
+
+} // namespace vantage

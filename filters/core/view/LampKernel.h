@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/math/Polygon.h"
+
+#include <array>
+
+/// \file LampKernel.h
+/// What a plane receives from a polygon above it, at many points.
+
+namespace vantage
+{
+
+/// PointToPolygon() for the points of the plane z = 0 with normal +z and one polygon above them:
+/// Lambert's sum, with all that does not depend on the point done once, and a series instead of an
+/// arc tangent where an edge is seen under less than 45 degrees. A quarter of the time, relative
+/// error 1e-12 where the result is not much smaller than the polygon's solid angle.
+class LampKernel
+{
+public:
+  /// \pre no vertex has z < 0
+  explicit LampKernel(const Polygon& lamp);
+
+  /// In sr; 0 behind the polygon.
+  double At(const Vec2& x) const;
+
+private:
+  struct Edge
+  {
+    double x, y, z; ///< where it starts
+    double alongX, alongY;
+    double square; ///< of its length
+  };
+
+  std::array<Edge, Polygon::Capacity> Edges;
+  int Count = 0;
+};
+
+} // namespace vantage

@@ -1,0 +1,283 @@
+#include "core/view/LampView.h"
+
+#include "core/math/ScrambledSobol.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vantage
+{
+
+namespace
+{
+
+/// In local units: what is nearer to a plane than this touches it.
+constexpr double Touching = 1e-10;
+/// Groups of so many spots are not halved further; with few facets in the way, nor are larger ones.
+constexpr int SmallGroup = 32;
+constexpr int SmallGroupOfFewFacets = 64;
+constexpr std::size_t FewFacets = 2;
+constexpr int ShadowRays = 256;
+/// Larger groups are halved on two threads.
+constexpr int ParallelGroup = 256;
+
+} // namespace
+
+LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const PatchFrame& frame,
+  std::uint32_t lampFacet, const Polygon& lampShape)
+  : Occluders(&occluders)
+  , Facet(facet)
+  , LampFacet(lampFacet)
+  , Frame(&frame)
+  , LampShape(lampShape)
+  , Unit(RadiusAround(lampShape, frame.origin))
+  , Kernel(Polygon())
+{
+  Polygon local;
+  for (const Vec3& v : lampShape)
+  {
+    local.Add(frame.ToLocal(v) / this->Unit);
+  }
+  this->LampPlane = SupportingPlane(local);
+  this->Lamp = ClipToFront(local, Plane(), Touching);
+  for (int i = 0; i < this->Lamp.Size(); ++i)
+  {
+    this->Lamp[i].z = std::max(this->Lamp[i].z, 0.0);
+  }
+  this->Kernel = LampKernel(this->Lamp);
+}
+
+DirectCounters LampView::Look(LampSpot* first, LampSpot* last, double* factors) const
+{
+  for (LampSpot* spot = first; spot != last; ++spot)
+  {
+    factors[spot->index] = 0.0;
+  }
+  if (this->Lamp.Empty() || this->Facet == this->LampFacet || first == last)
+  {
+    return {};
+  }
+  Group all{ first, last, {} };
+  const Search search = this->SearchAround(all);
+  all.occluders.resize(search.facets.size());
+  std::iota(all.occluders.begin(), all.occluders.end(), 0u);
+  DirectCounters counters = this->Look(std::move(all), search, factors);
+  ++counters.occluderQueries;
+  return counters;
+}
+
+/// The rectangle around the spots, as far as it is in front of the lamp. Local.
+Polygon LampView::Bounds(const Group& group) const
+{
+  constexpr double margin = 1e-6;
+  Vec2 low = group.first->place;
+  Vec2 high = low;
+  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+  {
+    low = glm::min(low, spot->place);
+    high = glm::max(high, spot->place);
+  }
+  low = low / this->Unit - margin;
+  high = high / this->Unit + margin;
+  return ClipToFront({ { low.x, low.y, 0.0 }, { high.x, low.y, 0.0 }, { high.x, high.y, 0.0 },
+                       { low.x, high.y, 0.0 } },
+    this->LampPlane, Touching);
+}
+
+Polygon LampView::ToWorld(const Polygon& local) const
+{
+  Polygon world;
+  for (const Vec3& v : local)
+  {
+    world.Add(this->Frame->ToWorld(v * this->Unit));
+  }
+  return world;
+}
+
+/// The part of a facet that is in front of both the patch and the lamp. Local; may be empty.
+Polygon LampView::Between(std::uint32_t facet) const
+{
+  Polygon local;
+  for (const Vec3& v : this->Occluders->Shape(facet))
+  {
+    local.Add(this->Frame->ToLocal(v) / this->Unit);
+  }
+  return ClipToFront(ClipToFront(local, Plane(), Touching), this->LampPlane, Touching);
+}
+
+LampView::Search LampView::SearchAround(const Group& all) const
+{
+  Search search{ {}, LampCutter(this->Lamp) };
+  const Polygon bounds = this->Bounds(all);
+  if (bounds.Empty())
+  {
+    return search;
+  }
+  const Polygon ground = this->ToWorld(bounds);
+  const auto shaft = Shaft(ground, this->ToWorld(this->Lamp), this->Occluders->Tolerance());
+  std::vector<std::uint32_t> found;
+  if (shaft)
+  {
+    found = this->Occluders->FacetsInRegion(*shaft);
+  }
+  else
+  {
+    Vec3 low = this->LampShape[0];
+    Vec3 high = low;
+    for (const Polygon* p : { &ground, &this->LampShape })
+    {
+      for (const Vec3& v : *p)
+      {
+        low = glm::min(low, v);
+        high = glm::max(high, v);
+      }
+    }
+    found = this->Occluders->FacetsInBox(low, high);
+  }
+  for (const std::uint32_t facet : found)
+  {
+    const Polygon between = this->Between(facet);
+    if (facet != this->Facet && facet != this->LampFacet && !between.Empty())
+    {
+      search.facets.push_back(facet);
+      search.cutter.AddOccluder(between);
+    }
+  }
+  return search;
+}
+
+/// Leaves the occluders that reach into what is between the spots and the lamp. Returns false when
+/// nothing of the lamp is seen.
+bool LampView::Narrow(Group& group, const Search& search) const
+{
+  const Polygon bounds = this->Bounds(group);
+  if (bounds.Empty())
+  {
+    return false;
+  }
+  if (group.occluders.empty())
+  {
+    return true;
+  }
+  const double tolerance = this->Occluders->Tolerance();
+  if (const auto shaft = Shaft(this->ToWorld(bounds), this->ToWorld(this->Lamp), tolerance))
+  {
+    const auto isElsewhere = [&](std::uint32_t k)
+    { return !ReachesInto(this->Occluders->Shape(search.facets[k]), *shaft, tolerance); };
+    group.occluders.erase(
+      std::remove_if(group.occluders.begin(), group.occluders.end(), isElsewhere),
+      group.occluders.end());
+  }
+  return std::none_of(group.occluders.begin(), group.occluders.end(),
+    [&](std::uint32_t k) { return search.cutter.HidesAll(k, bounds); });
+}
+
+DirectCounters LampView::Look(Group group, const Search& search, double* factors) const
+{
+  DirectCounters counters;
+  if (!this->Narrow(group, search))
+  {
+    return counters;
+  }
+  const auto count = group.last - group.first;
+  if (group.occluders.empty())
+  {
+    for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+    {
+      factors[spot->index] = this->Kernel.At(spot->place / this->Unit);
+    }
+    counters.lampEvaluations += count;
+  }
+  else if (count <= SmallGroup ||
+           (count <= SmallGroupOfFewFacets && group.occluders.size() <= FewFacets))
+  {
+    this->LookAtEach(group, search, factors, counters);
+  }
+  else
+  {
+    counters.Add(this->LookHalves(group, search, factors));
+  }
+  return counters;
+}
+
+DirectCounters LampView::LookHalves(const Group& group, const Search& search, double* factors) const
+{
+  Vec2 low = group.first->place;
+  Vec2 high = low;
+  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+  {
+    low = glm::min(low, spot->place);
+    high = glm::max(high, spot->place);
+  }
+  const int axis = high.x - low.x >= high.y - low.y ? 0 : 1;
+  const double cut = 0.5 * (low[axis] + high[axis]);
+  LampSpot* middle = std::partition(
+    group.first, group.last, [&](const LampSpot& spot) { return spot.place[axis] < cut; });
+  if (middle == group.first || middle == group.last)
+  {
+    middle = group.first + (group.last - group.first) / 2; // all in one place
+  }
+  DirectCounters lower, upper;
+  const auto lookLower = [&] {
+    lower = this->Look({ group.first, middle, group.occluders }, search, factors);
+  };
+  const auto lookUpper = [&] {
+    upper = this->Look({ middle, group.last, group.occluders }, search, factors);
+  };
+  if (group.last - group.first > ParallelGroup)
+  {
+    tbb::parallel_invoke(lookLower, lookUpper);
+  }
+  else
+  {
+    lookLower();
+    lookUpper();
+  }
+  lower.Add(upper);
+  return lower;
+}
+
+void LampView::LookAtEach(
+  const Group& group, const Search& search, double* factors, DirectCounters& counters) const
+{
+  LampCutter::Shadows shadows;
+  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+  {
+    const Vec2 place = spot->place / this->Unit;
+    if (this->LampPlane.Distance(Vec3(place, 0.0)) > 0.0)
+    {
+      const auto seen = search.cutter.Seen(place, group.occluders, shadows);
+      factors[spot->index] = seen ? *seen : this->SeenByRays(*spot, counters);
+      counters.lampEvaluations += factors[spot->index] > 0.0 ? 1 : 0;
+      counters.cutEvaluations += shadows.Any() ? 1 : 0;
+    }
+  }
+}
+
+/// The closed form times the part of it that well spread rays find.
+double LampView::SeenByRays(const LampSpot& spot, DirectCounters& counters) const
+{
+  const SurfacePoint from{ this->Frame->ToWorld(Vec3(spot.place, 0.0)), this->Facet };
+  const Plane plane = SupportingPlane(this->LampShape);
+  double seen = 0.0;
+  double total = 0.0;
+  for (int i = 0; i < ShadowRays; ++i)
+  {
+    const Vec2 uv = ScrambledSobol(i, Hash(this->LampFacet, this->Facet));
+    const Vec3 y = PointAt(this->LampShape, uv);
+    const Vec3 way = y - from.position;
+    const double square = glm::dot(way, way);
+    const double weight = AreaElementAt(this->LampShape, uv) *
+                          std::max(glm::dot(way, this->Frame->z), 0.0) *
+                          plane.Distance(from.position) / (square * square);
+    total += weight;
+    seen += this->Occluders->IsOccluded(from, { y, this->LampFacet }) ? 0.0 : weight;
+  }
+  counters.shadowRays += ShadowRays;
+  return total > 0.0 ? this->Kernel.At(spot.place / this->Unit) * seen / total : 0.0;
+}
+
+} // namespace vantage

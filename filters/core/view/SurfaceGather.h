@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/view/DirectLight.h"
+#include "core/view/IndirectLight.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file SurfaceGather.h
+/// The light at any points of surfaces, from a solved scene.
+
+namespace vantage
+{
+
+/// A point of a patch whose light is wanted.
+struct GatherPoint
+{
+  PatchId patch;
+  Vec3 point;          ///< on the patch, or within rounding of it
+  double weight = 1.0; ///< of its error against that of others, >= 0: the area that it stands for
+};
+
+/// What the light of points has cost.
+struct GatherCounts
+{
+  DirectCounters direct;
+  std::uint64_t gatherPoints = 0;
+  std::uint64_t gatherRays = 0;
+  double directSeconds = 0.0;
+  double indirectSeconds = 0.0;
+};
+
+/// Radiance at points of surfaces: what the named lamps give, exactly, plus indirect light that is
+/// gathered at some of the points and interpolated to the others, plus emission. So the more points
+/// are asked for at once, and the closer together they lie, the less each of them costs. Points on
+/// a border of their patch are moved inwards by a millionth of its size: there, the wall that the
+/// patch meets stands in the way as it should.
+/// Refers to occluders and solution, which must outlive it. Works on all threads of the arena; the
+/// results do not depend on their number.
+class SurfaceGather
+{
+public:
+  struct Settings
+  {
+    double error = 0.01; ///< wanted: sum of weight |error| over sum of weight radiance, > 0
+    std::uint64_t seed = 1;
+  };
+
+  struct Result
+  {
+    std::vector<Color> radiance; ///< of each point, W m^-2 sr^-1; (0,0,0) on an inactive side
+    double error = 0.0;          ///< estimate of what Settings::error asks for
+    GatherCounts counts;
+  };
+
+  SurfaceGather(const OccluderScene& occluders, const RadianceSolution& solution)
+    : Occluders(&occluders)
+    , Solution(&solution)
+  {
+  }
+
+  /// Irradiance from lamps at each point, W m^-2.
+  std::vector<Color> Direct(const std::vector<GatherPoint>& points, GatherCounts& counts) const;
+
+  Result Radiance(const std::vector<GatherPoint>& points, const Settings& settings) const;
+
+  /// The same when the direct irradiance is known (or better known than at the points alone).
+  Result Radiance(const std::vector<GatherPoint>& points, const std::vector<Color>& direct,
+    const Settings& settings) const;
+
+private:
+  const OccluderScene* Occluders;
+  const RadianceSolution* Solution;
+};
+
+} // namespace vantage

@@ -1,0 +1,276 @@
+#include "core/goal/Flow.h"
+
+#include "core/goal/GoalOrientedTransport.h"
+#include "core/goal/GoalScenes.h"
+#include "core/goal/SolvedLinks.h"
+#include "properties/RandomScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vantage
+{
+namespace
+{
+
+/// Links between clusters, patches and elements as they come after a few rounds, with factors of a
+/// closure that are as good as any.
+struct Graph
+{
+  explicit Graph(const Scene& scene, int rounds = 8)
+    : stage(scene)
+    , transport(stage.MakeTree(), stage.occluders, stage.optics, stage.facets.meanArea,
+        GoalOrientedSettings())
+  {
+    transport.SetView(stage.View());
+    transport.Solve();
+    for (int round = 0; round < rounds; ++round)
+    {
+      transport.Refine(0.5);
+      transport.Solve();
+    }
+    for (OpenId id = 0; id < this->Tree().Size(); ++id)
+    {
+      closure.push_back(0.8 + 0.4 * ToUnit(Hash(id)));
+    }
+  }
+
+  const OpenTree& Tree() const { return this->transport.Tree(); }
+  const std::vector<Link>& Links() const { return this->transport.Links(); }
+
+  std::vector<Color> Emission() const
+  {
+    std::vector<Color> sources;
+    for (OpenId id = 0; id < this->Tree().Size(); ++id)
+    {
+      sources.push_back(this->Tree()[id].emission);
+    }
+    return sources;
+  }
+
+  /// albedo / pi V of the exposed leaves.
+  std::vector<Color> ReflectedView() const
+  {
+    std::vector<Color> sources;
+    for (OpenId id = 0; id < this->Tree().Size(); ++id)
+    {
+      const OpenNode& node = this->Tree()[id];
+      sources.push_back(node.IsExposed() ? node.albedo / Pi * (node.view / node.area) : Color(0.0));
+    }
+    return sources;
+  }
+
+  Flow Swept(const std::vector<Color>& sources, int sweeps) const
+  {
+    Flow flow;
+    flow.Follow(this->Tree());
+    for (OpenId id = 0; id < this->Tree().Size(); ++id)
+    {
+      if (this->Tree()[id].IsLeaf())
+      {
+        flow.SetSource(id, sources[id]);
+      }
+    }
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      flow.Sweep(this->Tree(), this->Links(), closure);
+    }
+    return flow;
+  }
+
+  test::Stage stage;
+  GoalOrientedTransport transport;
+  std::vector<double> closure;
+};
+
+TEST(Flow, ConvergesToTheDirectSolutionOfTheSameLinks)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Graph graph(test::MakeRandomScene(seed));
+    const std::vector<Color> sources = graph.Emission();
+    const Flow flow = graph.Swept(sources, 400);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const std::vector<double> expected =
+        test::SolveLeaves(graph.Tree(), graph.Links(), graph.closure, sources, channel);
+      for (const OpenId leaf : test::LeavesOf(graph.Tree()))
+      {
+        ASSERT_NEAR(flow.Value(leaf)[channel], expected[leaf], 1e-9) << "node " << leaf;
+        ASSERT_NEAR(flow.Received(leaf)[channel], expected[leaf] - sources[leaf][channel], 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Flow, RadianceAndImportanceAreDual)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Graph graph(test::MakeRandomScene(seed));
+    const Flow radiance = graph.Swept(graph.Emission(), 400);
+    const Flow importance = graph.Swept(graph.ReflectedView(), 400);
+    Color ofRadiance(0.0);
+    Color ofImportance(0.0);
+    for (const OpenId leaf : test::LeavesOf(graph.Tree()))
+    {
+      const OpenNode& node = graph.Tree()[leaf];
+      ofRadiance += node.view * radiance.Value(leaf);
+      ofImportance += node.emission * (Color(node.view) + node.area * importance.Arriving(leaf));
+    }
+    ASSERT_GT(Mean(ofRadiance), 0.0);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      EXPECT_NEAR(ofImportance[channel] / ofRadiance[channel], 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(Flow, IsLinearInItsSource)
+{
+  const Graph graph(test::MakeRandomScene(4));
+  const std::vector<Color> once = graph.Emission();
+  std::vector<Color> twice = once;
+  for (Color& source : twice)
+  {
+    source *= 2.0;
+  }
+  const Flow one = graph.Swept(once, 7);
+  const Flow two = graph.Swept(twice, 7);
+  for (OpenId id = 0; id < graph.Tree().Size(); ++id)
+  {
+    ASSERT_EQ(two.Value(id), 2.0 * one.Value(id));
+    ASSERT_EQ(two.Spread(id), 2.0 * one.Spread(id));
+    ASSERT_EQ(two.Arriving(id), 2.0 * one.Arriving(id));
+  }
+}
+
+TEST(Flow, SweepTellsTheRelativeChange)
+{
+  const Graph graph(test::MakeRandomScene(5));
+  Flow flow = graph.Swept(graph.Emission(), 3);
+  std::vector<Color> before;
+  for (OpenId id = 0; id < graph.Tree().Size(); ++id)
+  {
+    before.push_back(flow.Value(id));
+  }
+  const double told = flow.Sweep(graph.Tree(), graph.Links(), graph.closure);
+  double change = 0.0;
+  double total = 0.0;
+  for (const OpenId leaf : test::LeavesOf(graph.Tree()))
+  {
+    change += graph.Tree()[leaf].area * std::abs(Mean(flow.Value(leaf) - before[leaf]));
+    total += graph.Tree()[leaf].area * Mean(flow.Value(leaf));
+  }
+  EXPECT_NEAR(told, change / total, 1e-12);
+  EXPECT_GT(told, 0.0);
+}
+
+TEST(Flow, InnerNodesHaveTheMeansOfTheirLeaves)
+{
+  const Graph graph(test::MakeRandomScene(6));
+  const Flow flow = graph.Swept(graph.Emission(), 5);
+  const OpenTree& tree = graph.Tree();
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    Color sum(0.0);
+    double square = 0.0;
+    double area = 0.0;
+    for (const OpenId leaf : test::LeavesOf(tree))
+    {
+      if (test::IsBelow(tree, leaf, id))
+      {
+        const double mean = Mean(flow.Value(leaf));
+        area += tree[leaf].area;
+        sum += tree[leaf].area * flow.Value(leaf);
+        square += tree[leaf].area * (mean * mean + flow.Spread(leaf) * flow.Spread(leaf));
+      }
+    }
+    ASSERT_NEAR(glm::length(flow.Value(id) - sum / area), 0.0, 1e-10);
+    const double mean = Mean(sum) / area;
+    if (!tree[id].IsLeaf())
+    {
+      ASSERT_NEAR(flow.Spread(id), std::sqrt(square / area - mean * mean), 1e-6 * (1.0 + mean));
+    }
+  }
+}
+
+/// Two panels that face each other and are all there is.
+Scene MakePair()
+{
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.5)) };
+  test::AddPanel(scene, Vec3(0.0), Vec2(1.0, 1.0), true, 0);
+  test::AddPanel(scene, Vec3(0.0, 0.0, 1.0), Vec2(1.0, 1.0), false, 0);
+  return scene;
+}
+
+TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
+{
+  const test::Stage stage(MakePair());
+  OpenTree tree = stage.MakeOpenTree();
+  tree.Open(0);
+  tree.Open(1);
+  Flow flow;
+  flow.Follow(tree);
+  const double values[] = { 1.0, 2.0, 3.0, 6.0 };
+  for (int c = 0; c < 4; ++c)
+  {
+    flow.SetSource(tree[1].firstChild + c, Color(values[c]));
+  }
+  const std::vector<double> closure(tree.Size(), 1.0);
+  flow.Sweep(tree, {}, closure);
+  EXPECT_EQ(flow.Value(1), Color(3.0));
+  // Squares 1, 4, 9, 36 of mean 12.5.
+  EXPECT_NEAR(flow.Spread(1), std::sqrt(3.5), 1e-12);
+  EXPECT_NEAR(flow.Spread(0), std::sqrt(0.5 * 12.5 - 1.5 * 1.5), 1e-12);
+  EXPECT_EQ(flow.Spread(2), 0.0);
+
+  // What a link brings may differ over its end as its variation says.
+  Link link;
+  link.ends = { 1, 2 };
+  link.throughput = 0.2;
+  link.variation = 0.1;
+  flow.Sweep(tree, { link }, closure);
+  EXPECT_NEAR(flow.Value(2).x, 0.5 / Pi * 0.2 * 3.0, 1e-12);
+  EXPECT_NEAR(flow.Spread(2), 0.5 / Pi * 0.1 * 3.0, 1e-12);
+  EXPECT_EQ(flow.Arriving(tree[1].firstChild), Color(0.0));
+}
+
+TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
+{
+  const test::Stage stage(test::MakeFurnishedRoom());
+  const OpenTree tree = stage.MakeOpenTree();
+  Flow flow;
+  flow.Follow(tree);
+  // All of it comes from a lamp on a hundredth of the area.
+  flow.SetSource(0, Color(0.1), 1.0);
+  flow.Sweep(tree, {}, { 1.0 });
+  EXPECT_GE(flow.Spread(0), std::sqrt(1.0 - 0.1 * 0.1) - 1e-12);
+}
+
+TEST(Flow, NewNodesStartWithTheValueOfTheirParentAndClearForgets)
+{
+  Graph graph(test::MakeRandomScene(7), 2);
+  Flow flow = graph.Swept(graph.Emission(), 5);
+  const OpenId size = graph.Tree().Size();
+  graph.transport.Refine(1.0);
+  const OpenTree& tree = graph.Tree();
+  ASSERT_GT(tree.Size(), size);
+  flow.Follow(tree);
+  for (OpenId id = size; id < tree.Size(); ++id)
+  {
+    EXPECT_EQ(flow.Value(id), flow.Value(tree[id].parent));
+  }
+  flow.Clear();
+  for (const OpenId leaf : test::LeavesOf(tree))
+  {
+    EXPECT_EQ(flow.Received(leaf), Color(0.0));
+  }
+}
+
+} // namespace
+} // namespace vantage

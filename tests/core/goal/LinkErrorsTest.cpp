@@ -1,0 +1,155 @@
+#include "core/goal/LinkErrors.h"
+
+#include "core/goal/GoalOrientedTransport.h"
+#include "core/goal/GoalScenes.h"
+#include "support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vantage
+{
+namespace
+{
+
+/// Three surfaces of a furnished room, a lamp among them, and flows of given values.
+struct Fixture
+{
+  test::Stage stage{ test::MakeLitBox() };
+  OpenTree tree = stage.MakeOpenTree();
+  Flow radiance, importance;
+  std::vector<OpenId> surfaces;
+
+  Fixture()
+  {
+    test::OpenTo(this->tree, 0);
+    this->radiance.Follow(this->tree);
+    this->importance.Follow(this->tree);
+    for (OpenId id = 0; id < this->tree.Size() && this->surfaces.size() < 4; ++id)
+    {
+      if (!this->tree[id].IsCluster())
+      {
+        this->surfaces.push_back(id);
+      }
+    }
+  }
+
+  Link Between(int a, int b, double throughput, double variation, double uncertainty) const
+  {
+    Link link;
+    link.ends = { this->surfaces[a], this->surfaces[b] };
+    link.throughput = throughput;
+    link.variation = variation;
+    link.uncertainty = uncertainty;
+    return link;
+  }
+
+  /// Radiance leaves surface 0; importance arrives at the others over their links.
+  LinkErrors Errors(const std::vector<Link>& links)
+  {
+    const std::vector<double> closure(this->tree.Size(), 1.0);
+    for (const OpenId id : this->surfaces)
+    {
+      this->radiance.SetSource(id, Color(id == this->surfaces[0] ? 1.0 : 0.0));
+      this->importance.SetSource(id, Color(id == this->surfaces[3] ? 1.0 : 0.0));
+    }
+    for (int sweep = 0; sweep < 3; ++sweep)
+    {
+      this->radiance.Sweep(this->tree, links, closure);
+      this->importance.Sweep(this->tree, links, closure);
+    }
+    return EstimateLinkErrors(this->tree, links, this->radiance, this->importance);
+  }
+};
+
+TEST(LinkErrors, LinksThatAreKnownExactlyHaveNone)
+{
+  Fixture f;
+  const LinkErrors errors =
+    f.Errors({ f.Between(0, 1, 0.1, 0.0, 0.0), f.Between(1, 3, 0.1, 0.0, 0.0) });
+  EXPECT_EQ(errors.all, 0.0);
+  EXPECT_EQ(errors.ofLink, (std::vector<double>{ 0.0, 0.0 }));
+}
+
+TEST(LinkErrors, UncertaintiesAddAsSquares)
+{
+  const auto errorOf = [](double first, double second)
+  {
+    Fixture f;
+    return f
+      .Errors({ f.Between(0, 1, 0.1, 0.0, first), f.Between(0, 2, 0.1, 0.0, second),
+        f.Between(1, 3, 0.1, 0.0, 0.0), f.Between(2, 3, 0.1, 0.0, 0.0) })
+      .all;
+  };
+  const double one = errorOf(0.02, 0.0);
+  const double other = errorOf(0.0, 0.05);
+  EXPECT_GT(one, 0.0);
+  EXPECT_GT(other, 0.0);
+  EXPECT_NEAR(errorOf(0.02, 0.05), std::hypot(one, other), 1e-12);
+}
+
+TEST(LinkErrors, VariationsAtOneEndAddAsTheyAre)
+{
+  // Surface 1 receives importance unevenly; what arrives over its two links errs the same way.
+  Fixture f;
+  const auto errorOf = [&](double variation)
+  {
+    const Link twice = f.Between(0, 1, 0.05, variation, 0.0);
+    const Link uneven = f.Between(1, 3, 0.1, 0.03, 0.0);
+    return f.Errors({ twice, twice, uneven });
+  };
+  Fixture g;
+  const LinkErrors both = errorOf(0.02);
+  const LinkErrors whole =
+    g.Errors({ g.Between(0, 1, 0.1, 0.04, 0.0), g.Between(1, 3, 0.1, 0.03, 0.0) });
+  ASSERT_GT(whole.all, 0.0);
+  // As one link of both: but for the spread of what arrives, whose parts add as squares.
+  EXPECT_GT(both.all, 0.7 * whole.all);
+  EXPECT_LT(both.all, whole.all * (1.0 + 1e-12));
+}
+
+TEST(LinkErrors, WhatALinkCostsIsWhatTheSquareLosesWithoutIt)
+{
+  Fixture f;
+  const LinkErrors both =
+    f.Errors({ f.Between(0, 1, 0.1, 0.0, 0.02), f.Between(0, 2, 0.1, 0.0, 0.05),
+      f.Between(1, 3, 0.1, 0.0, 0.0), f.Between(2, 3, 0.1, 0.0, 0.0) });
+  ASSERT_EQ(both.ofLink.size(), 4u);
+  EXPECT_EQ(both.ofLink[2], 0.0);
+  const double factor = both.all * both.all / (both.ofLink[0] + both.ofLink[1]);
+  Fixture g;
+  const LinkErrors one = g.Errors({ g.Between(0, 1, 0.1, 0.0, 0.02), g.Between(0, 2, 0.1, 0.0, 0.0),
+    g.Between(1, 3, 0.1, 0.0, 0.0), g.Between(2, 3, 0.1, 0.0, 0.0) });
+  EXPECT_NEAR(one.all * one.all, factor * both.ofLink[0], 1e-12 * both.all);
+}
+
+TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
+{
+  // A lamp in a cluster that was not looked into, and a surface that the eye sees.
+  const test::Stage stage(test::MakeLitBox());
+  OpenTree tree = stage.MakeOpenTree();
+  tree.Open(0);
+  ASSERT_TRUE(tree[1].IsCluster() && tree[2].IsCluster());
+  const OpenId lamps = Mean(tree[1].emission) > 0.0 ? 1 : 2;
+  const OpenId seen = 3 - lamps;
+  Flow radiance, importance;
+  radiance.Follow(tree);
+  importance.Follow(tree);
+  radiance.SetSource(lamps, tree[lamps].emission, tree[lamps].emissionRms);
+  importance.SetSource(seen, Color(0.1), 0.1); // evenly: nothing else can err
+  const std::vector<double> closure(tree.Size(), 1.0);
+  radiance.Sweep(tree, {}, closure);
+  importance.Sweep(tree, {}, closure);
+  Link link;
+  link.ends = { 1, 2 };
+  link.throughput = 0.2;
+  link.uncertainty = 0.4;
+  const double once = EstimateLinkErrors(tree, { link }, radiance, importance).all;
+  const double thrice = EstimateLinkErrors(tree, { link, link, link }, radiance, importance).all;
+  EXPECT_GE(once, 0.4 * Mean(tree[lamps].emission) * 0.1);
+  EXPECT_NEAR(thrice, 3.0 * once, 1e-12 * once);
+}
+
+} // namespace
+} // namespace vantage

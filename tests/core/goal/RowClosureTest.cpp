@@ -1,0 +1,274 @@
+#include "core/goal/RowClosure.h"
+
+#include "core/goal/GoalOrientedTransport.h"
+#include "core/goal/GoalScenes.h"
+#include "properties/RandomScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vantage
+{
+namespace
+{
+
+constexpr double Smallest = 0.6;
+constexpr double Largest = 1.6;
+
+/// d_i sum_k F_ik d_k of every leaf.
+std::vector<double> ClosedRows(
+  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure)
+{
+  std::vector<double> rows(tree.Size(), 0.0);
+  std::vector<double> means(tree.Size(), 0.0);
+  for (OpenId id = tree.Size(); id-- > 0;)
+  {
+    double area = 0.0;
+    double sum = 0.0;
+    const OpenId end = tree[id].IsLeaf() ? 0 : tree[id].firstChild + tree[id].childCount;
+    for (OpenId c = tree[id].firstChild; c < end; ++c)
+    {
+      area += tree[c].area;
+      sum += tree[c].area * means[c];
+    }
+    means[id] = tree[id].IsLeaf() ? closure[id] : (area > 0.0 ? sum / area : 1.0);
+  }
+  for (const Link& link : links)
+  {
+    const auto [a, b] = link.ends;
+    rows[a] += link.throughput / tree[a].area * means[b];
+    rows[b] += link.IsSelf() ? 0.0 : link.throughput / tree[b].area * means[a];
+  }
+  for (OpenId id = 1; id < tree.Size(); ++id)
+  {
+    rows[id] += rows[tree[id].parent];
+  }
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    rows[id] *= closure[id];
+  }
+  return rows;
+}
+
+struct Rounds
+{
+  Rounds(const Scene& scene, int rounds, double share = 0.5)
+    : stage(scene)
+    , transport(stage.MakeTree(), stage.occluders, stage.optics, stage.facets.meanArea,
+        GoalOrientedSettings())
+  {
+    transport.SetView(stage.View());
+    transport.Solve();
+    for (int round = 0; round < rounds; ++round)
+    {
+      transport.Refine(share);
+      transport.Solve();
+    }
+  }
+
+  /// Refines all links until no leaf is a cluster.
+  void RefineClusters()
+  {
+    const auto hasCluster = [this]()
+    {
+      const std::vector<OpenId> leaves = test::LeavesOf(transport.Tree());
+      return std::any_of(leaves.begin(), leaves.end(),
+        [this](OpenId id) { return transport.Tree()[id].IsCluster(); });
+    };
+    while (hasCluster() && transport.Refine(1.0) > 0)
+    {
+      transport.Solve();
+    }
+  }
+
+  std::vector<double> Closure(int calls = 10) const
+  {
+    std::vector<double> closure(transport.Tree().Size(), 1.0);
+    for (int call = 0; call < calls; ++call)
+    {
+      CloseRows(transport.Tree(), transport.Links(), closure);
+    }
+    return closure;
+  }
+
+  test::Stage stage;
+  GoalOrientedTransport transport;
+};
+
+void ExpectClosed(const Rounds& rounds)
+{
+  const OpenTree& tree = rounds.transport.Tree();
+  const std::vector<double> closure = rounds.Closure();
+  const std::vector<double> rows = ClosedRows(tree, rounds.transport.Links(), closure);
+  int held = 0;
+  int count = 0;
+  for (const OpenId leaf : test::LeavesOf(tree))
+  {
+    if (tree[leaf].IsCluster())
+    {
+      EXPECT_EQ(closure[leaf], 1.0);
+      continue;
+    }
+    if (!tree[leaf].IsExposed())
+    {
+      continue;
+    }
+    ++count;
+    ASSERT_EQ(tree[leaf].escaped, 0.0) << "node " << leaf;
+    ASSERT_GE(closure[leaf], Smallest);
+    ASSERT_LE(closure[leaf], Largest);
+    if (closure[leaf] > Smallest && closure[leaf] < Largest)
+    {
+      EXPECT_NEAR(rows[leaf] / Pi, 1.0, 1e-4) << "node " << leaf;
+    }
+    else
+    {
+      ++held;
+    }
+  }
+  // Few need more than is allowed.
+  EXPECT_LE(held, count / 20) << count;
+}
+
+TEST(RowClosure, RowsOfAClosedBoxAreCompleteAfterAnyNumberOfRounds)
+{
+  for (int rounds = 0; rounds <= 5; ++rounds)
+  {
+    SCOPED_TRACE(std::to_string(rounds) + " rounds");
+    Rounds box(test::MakeFurnace(Color(0.5)), rounds);
+    box.RefineClusters();
+    ExpectClosed(box);
+  }
+}
+
+TEST(RowClosure, RowsOfClosedRoomsWithFurnitureAreComplete)
+{
+  Rounds furnished(test::MakeFurnishedRoom(), 3);
+  furnished.RefineClusters();
+  ExpectClosed(furnished);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rounds room(test::MakeRandomScene(seed), 2);
+    room.RefineClusters();
+    ExpectClosed(room);
+  }
+}
+
+TEST(RowClosure, ClustersThatNobodyLookedIntoAreNotScaled)
+{
+  const Rounds room(test::MakeFurnishedRoom(), 6);
+  const std::vector<double> closure = room.Closure();
+  int clusters = 0;
+  int scaled = 0;
+  for (const OpenId leaf : test::LeavesOf(room.transport.Tree()))
+  {
+    const bool isCluster = room.transport.Tree()[leaf].IsCluster();
+    clusters += isCluster ? 1 : 0;
+    scaled += !isCluster && closure[leaf] != 1.0 ? 1 : 0;
+    EXPECT_TRUE(!isCluster || closure[leaf] == 1.0) << "node " << leaf;
+  }
+  EXPECT_GT(clusters, 0);
+  EXPECT_GT(scaled, 0);
+}
+
+TEST(RowClosure, RowsOfAnOpenBoxAreWhatTheProbesSay)
+{
+  Rounds box(test::MakeOpenBox(Color(0.5), Color(1.0)), 0);
+  box.RefineClusters();
+  for (int round = 0; round < 3; ++round)
+  {
+    box.transport.Refine(1.0);
+    box.transport.Solve();
+  }
+  const OpenTree& tree = box.transport.Tree();
+  const std::vector<double> rows =
+    ClosedRows(tree, box.transport.Links(), std::vector<double>(tree.Size(), 1.0));
+  const std::vector<OpenId> leaves = test::LeavesOf(tree);
+  const auto isOutside = [&](OpenId leaf)
+  {
+    const double deviation = rows[leaf] / Pi - (1.0 - tree[leaf].escaped);
+    return std::abs(deviation) > tree[leaf].escapeError;
+  };
+  // Two standard deviations.
+  EXPECT_LT(std::count_if(leaves.begin(), leaves.end(), isOutside), 0.1 * leaves.size());
+}
+
+/// The floor and the walls of an open box with links that are as exact as can be.
+struct OpenBoxLinks
+{
+  OpenBoxLinks()
+    : stage(test::MakeOpenBox())
+    , tree(stage.MakeOpenTree())
+  {
+    test::OpenTo(tree, 0);
+    const LinkEvaluator evaluator(tree, stage.occluders, 16);
+    const std::vector<OpenId> patches = test::LeavesOf(tree);
+    for (const OpenId a : patches)
+    {
+      for (const OpenId b : patches)
+      {
+        if (a < b)
+        {
+          links.push_back(evaluator.Evaluate({ { a, b } }).link);
+        }
+      }
+    }
+  }
+
+  test::Stage stage;
+  OpenTree tree;
+  std::vector<Link> links;
+};
+
+TEST(RowClosure, ExactLinksOfAnOpenBoxAreLeftAloneToTheBit)
+{
+  const OpenBoxLinks box;
+  std::vector<double> closure(box.tree.Size(), 1.0);
+  CloseRows(box.tree, box.links, closure);
+  EXPECT_EQ(closure, std::vector<double>(box.tree.Size(), 1.0));
+}
+
+TEST(RowClosure, WrongRowsOfAnOpenBoxAreBroughtToTheBorderOfWhatIsKnown)
+{
+  OpenBoxLinks box;
+  for (Link& link : box.links)
+  {
+    link.throughput *= 1.4;
+  }
+  std::vector<double> closure(box.tree.Size(), 1.0);
+  for (int call = 0; call < 5; ++call)
+  {
+    CloseRows(box.tree, box.links, closure);
+  }
+  const std::vector<double> rows = ClosedRows(box.tree, box.links, closure);
+  for (const OpenId leaf : test::LeavesOf(box.tree))
+  {
+    const OpenNode& node = box.tree[leaf];
+    EXPECT_LT(closure[leaf], 1.0);
+    EXPECT_NEAR(rows[leaf], Pi * std::min(1.0, 1.0 - node.escaped + node.escapeError), 1e-3);
+  }
+}
+
+TEST(RowClosure, FactorsStayWithinTheirBounds)
+{
+  OpenBoxLinks box;
+  for (const double scale : { 0.05, 20.0 })
+  {
+    std::vector<Link> links = box.links;
+    for (Link& link : links)
+    {
+      link.throughput *= scale;
+    }
+    std::vector<double> closure(box.tree.Size(), 1.0);
+    CloseRows(box.tree, links, closure);
+    for (const OpenId leaf : test::LeavesOf(box.tree))
+    {
+      EXPECT_EQ(closure[leaf], scale < 1.0 ? Largest : Smallest);
+    }
+  }
+}
+
+} // namespace
+} // namespace vantage

@@ -1,0 +1,232 @@
+#include "core/view/DirectLight.h"
+#include "core/formfactor/FormFactor.h"
+#include "core/formfactor/Shadows.h"
+#include "core/math/Sampling.h"
+#include "core/view/GatherStage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage
+{
+namespace
+{
+
+using test::AddMaterial;
+using test::GatherStage;
+using test::Pixels;
+
+const Color LampRadiance(9.0, 7.0, 5.0);
+
+/// A floor of albedo (.6, .5, .4), a lamp above it, and what is given in between, black.
+Scene MakeLampOverFloor(const std::vector<std::vector<Vec3>>& occluders)
+{
+  Scene scene;
+  const std::uint32_t floor = AddMaterial(scene, { 0.6, 0.5, 0.4 });
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.0), LampRadiance);
+  const std::uint32_t black = AddMaterial(scene, Color(0.0));
+  scene.AddPolygon({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } }, floor);
+  scene.AddPolygon(
+    { { -0.2, -0.3, 1 }, { -0.2, 0.3, 1 }, { 0.3, 0.3, 1.1 }, { 0.3, -0.3, 1.1 } }, lamp);
+  for (const auto& points : occluders)
+  {
+    scene.AddPolygon(points, black);
+  }
+  return scene;
+}
+
+/// A wall that stands on the floor, a table of two panes close together, a slanted triangle and a
+/// pane that hangs from the lamp.
+const std::vector<std::vector<Vec3>> Occluders{
+  { { -0.6, 0.35, 0.0 }, { 0.2, 0.45, 0.0 }, { 0.2, 0.45, 0.5 }, { -0.6, 0.35, 0.5 } },
+  { { -0.4, -0.5, 0.4 }, { 0.1, -0.5, 0.4 }, { 0.1, 0.0, 0.4 }, { -0.4, 0.0, 0.4 } },
+  { { -0.4, -0.5, 0.43 }, { 0.1, -0.5, 0.43 }, { 0.1, 0.0, 0.43 }, { -0.4, 0.0, 0.43 } },
+  { { 0.2, 0.1, 0.2 }, { 0.6, -0.1, 0.5 }, { 0.3, 0.4, 0.8 } },
+  { { 0.05, -0.3, 1.0 }, { 0.05, 0.1, 1.0 }, { 0.05, 0.1, 0.8 }, { 0.05, -0.3, 0.8 } },
+};
+
+Polygon Clipped(const Polygon& p, const Plane& a, const Plane& b)
+{
+  return ClipToFront(ClipToFront(p, a, 1e-10), b, 1e-10);
+}
+
+/// What a point of the floor gets from the lamp.
+Color Expected(const GatherStage& stage, const Vec3& x)
+{
+  const Vec3 up(0.0, 0.0, 1.0);
+  Polygon lamp;
+  std::vector<Polygon> others;
+  for (std::uint32_t f = 0; f < stage.facets.facets.size(); ++f)
+  {
+    const Facet& facet = stage.facets.facets[f];
+    if (facet.material == 1)
+    {
+      lamp = facet.shape;
+    }
+    else if (facet.material == 2)
+    {
+      others.push_back(facet.shape);
+    }
+  }
+  std::vector<Polygon> between;
+  for (const Polygon& other : others)
+  {
+    const Polygon part = Clipped(other, Plane(), SupportingPlane(lamp));
+    if (!part.Empty())
+    {
+      between.push_back(part);
+    }
+  }
+  return PointToVisiblePolygon(x, up, lamp, between) * LampRadiance;
+}
+
+Camera FloorCamera()
+{
+  return test::CameraAt({ 0.9, -2.4, 2.2 }, { 0.0, 0.0, 0.0 }, 40.0);
+}
+
+void ExpectExactFloor(const GatherStage& stage, bool expectShadow)
+{
+  constexpr int Size = 64;
+  const GatheredView view = stage.Gather(FloorCamera(), Pixels(Size, Size, true));
+  int onFloor = 0;
+  int dark = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      const auto hit = stage.Centre(FloorCamera(), Size, Size, x, y);
+      if (!hit || stage.facets.facets[hit->facet].material != 0 || hit->side != Side::Front)
+      {
+        continue;
+      }
+      const Color expected = Color(0.6, 0.5, 0.4) / Pi * Expected(stage, hit->point);
+      const Color pixel = view.radiance.At(x, y);
+      ASSERT_LT(glm::length(pixel - expected), 1e-9) << x << ' ' << y;
+      ++onFloor;
+      dark += MaxChannel(pixel) == 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(onFloor, Size * Size / 4);
+  EXPECT_EQ(dark > 20, expectShadow);
+  EXPECT_EQ(view.report.cutEvaluations > 100, expectShadow);
+  EXPECT_EQ(view.report.shadowRays, 0u);
+}
+
+TEST(DirectLight, IsLambertsFormulaWhereNothingIsInBetween)
+{
+  ExpectExactFloor(GatherStage(MakeLampOverFloor({}), [](PatchId) { return Color(0.0); }), false);
+}
+
+TEST(DirectLight, HasExactShadows)
+{
+  ExpectExactFloor(
+    GatherStage(MakeLampOverFloor(Occluders), [](PatchId) { return Color(0.0); }), true);
+}
+
+/// One point asked for alone gets what it gets among thousands.
+TEST(DirectLight, IsTheSameForOnePointAndForMany)
+{
+  const GatherStage stage(MakeLampOverFloor(Occluders), [](PatchId) { return Color(0.0); });
+  const DirectLight light(stage.occluders, stage.solution);
+  PatchId floor = None;
+  for (PatchId p = 0; p < stage.tree.Patches().size(); p += 2)
+  {
+    floor = stage.facets.facets[p / 2].material == 0 ? p : floor;
+  }
+  RandomStream random(23);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 3000; ++i)
+  {
+    points.push_back({ 2.0 * random.Next() - 1.0, 2.0 * random.Next() - 1.0, 0.0 });
+  }
+  DirectCounters counters;
+  const std::vector<Color> all = light.At(floor, points, counters);
+  for (int i = 0; i < 3000; i += 10)
+  {
+    const Color one = light.At(floor, { points[i] }, counters)[0];
+    ASSERT_LT(glm::length(one - all[i]), 1e-10) << i;
+    ASSERT_LT(glm::length(one - Expected(stage, points[i])), 1e-9) << i;
+  }
+  // Below the floor is its other side.
+  for (const Color& below : light.At(floor + 1, points, counters))
+  {
+    ASSERT_EQ(below, Color(0.0));
+  }
+}
+
+/// More overlapping shadows than are cut: a thicket of narrow blades.
+TEST(DirectLight, RaysDecideBehindAThicket)
+{
+  std::vector<std::vector<Vec3>> blades;
+  for (int i = 0; i < 40; ++i)
+  {
+    const double x = -0.39 + 0.02 * i;
+    blades.push_back(
+      { { x, -1.0, 0.5 }, { x + 0.01, -1.0, 0.5 }, { x + 0.01, 1.0, 0.5 }, { x, 1.0, 0.5 } });
+  }
+  const GatherStage stage(MakeLampOverFloor(blades), [](PatchId) { return Color(0.0); });
+  const GatheredView view = stage.Gather(FloorCamera(), Pixels(24, 24, true));
+  EXPECT_GT(view.report.shadowRays, 1000u);
+  double sum = 0.0;
+  double expected = 0.0;
+  for (int y = 0; y < 24; ++y)
+  {
+    for (int x = 0; x < 24; ++x)
+    {
+      const auto hit = stage.Centre(FloorCamera(), 24, 24, x, y);
+      if (hit && stage.facets.facets[hit->facet].material == 0 && hit->side == Side::Front)
+      {
+        const double exact = Mean(Color(0.6, 0.5, 0.4) / Pi * Expected(stage, hit->point));
+        EXPECT_NEAR(Mean(view.radiance.At(x, y)), exact, 0.1 * exact + 1e-12);
+        sum += Mean(view.radiance.At(x, y));
+        expected += exact;
+      }
+    }
+  }
+  EXPECT_NEAR(sum / expected, 1.0, 0.005);
+}
+
+TEST(DirectLight, UnnamedLampsCountAsTheirElementSays)
+{
+  GatherStage stage(MakeLampOverFloor({}), [](PatchId) { return Color(0.0); });
+  for (RadianceSolution::Element& element : stage.solution.elements)
+  {
+    element.firstLamp = element.lastLamp;
+    element.unnamedDirect = Color(0.3, 0.2, 0.1);
+  }
+  const GatheredView view = stage.Gather(FloorCamera(), Pixels(9, 9, true));
+  const Color expected = Color(0.6, 0.5, 0.4) / Pi * Color(0.3, 0.2, 0.1);
+  EXPECT_LT(glm::length(view.radiance.At(4, 4) - expected), 1e-15);
+  EXPECT_EQ(view.report.lampEvaluations, 0u);
+}
+
+/// The lamp's own plane, its two sides, and a lamp that cuts through the floor.
+TEST(DirectLight, LampsInOddPlacesShineWhereTheyShould)
+{
+  Scene scene;
+  const std::uint32_t white = AddMaterial(scene, Color(0.5));
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Color(4.0));
+  scene.AddPolygon({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } }, white);
+  // In the plane of the floor's continuation, facing up.
+  scene.AddPolygon({ { 1, -1, 0 }, { 2, -1, 0 }, { 2, 1, 0 }, { 1, 1, 0 } }, lamp);
+  // Upright, half below the floor, facing -x.
+  scene.AddPolygon({ { 3, -1, -1 }, { 3, -1, 1 }, { 3, 1, 1 }, { 3, 1, -1 } }, lamp);
+  const GatherStage stage(scene, [](PatchId) { return Color(0.0); });
+  const Camera camera = test::CameraAt({ 0.0, -0.1, 2.0 }, { 0.0, 0.0, 0.0 }, 10.0);
+  const Color pixel = stage.Gather(camera, Pixels(1, 1, true)).radiance.At(0, 0);
+  const Polygon upright{ { 3, -1, -1 }, { 3, -1, 1 }, { 3, 1, 1 }, { 3, 1, -1 } };
+  const double factor = PointToPolygon(Vec3(0.0), { 0.0, 0.0, 1.0 }, upright);
+  ASSERT_GT(factor, 0.01);
+  EXPECT_NEAR(pixel.x, 0.5 / Pi * 4.0 * factor, 1e-9);
+  // The lamp itself: emission, and no light from itself.
+  const Camera onLamp = test::CameraAt({ 1.5, -0.1, 2.0 }, { 1.5, 0.0, 0.0 }, 10.0);
+  const double seen = PointToPolygon({ 1.5, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, upright);
+  EXPECT_NEAR(stage.Gather(onLamp, Pixels(1, 1, true)).radiance.At(0, 0).x,
+    4.0 + 0.5 / Pi * 4.0 * seen, 1e-9);
+}
+
+} // namespace
+} // namespace vantage

@@ -1,0 +1,139 @@
+#include "core/formfactor/FormFactor.h"
+#include "core/formfactor/Shadows.h"
+#include "core/math/Sampling.h"
+#include "core/view/LampCutter.h"
+#include "core/view/LampKernel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace vantage
+{
+namespace
+{
+
+const Vec3 Up(0.0, 0.0, 1.0);
+
+/// A quadrilateral or triangle around a point, turned anyhow.
+Polygon RandomPolygon(const Vec3& centre, double size, RandomStream& random)
+{
+  const double height = 2.0 * random.Next() - 1.0;
+  const double turn = 2.0 * Pi * random.Next();
+  const double radius = std::sqrt(1.0 - height * height);
+  const Frame frame(Vec3(radius * std::cos(turn), radius * std::sin(turn), height));
+  Polygon p;
+  const int corners = random.Next() < 0.5 ? 3 : 4;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * Pi * (i + 0.6 * random.Next()) / corners;
+    p.Add(centre + size * frame.ToWorld({ std::cos(angle), std::sin(angle), 0.0 }));
+  }
+  return p;
+}
+
+Polygon RandomLamp(RandomStream& random)
+{
+  const Vec3 centre(random.Next() - 0.5, random.Next() - 0.5, 0.3 + random.Next());
+  return ClipToFront(RandomPolygon(centre, 0.1 + 0.5 * random.Next(), random), Plane());
+}
+
+Vec3 RandomPoint(RandomStream& random)
+{
+  return { 2.0 * random.Next() - 1.0, 2.0 * random.Next() - 1.0, 0.0 };
+}
+
+TEST(LampKernel, IsLambertsFormula)
+{
+  RandomStream random(5);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Polygon lamp = RandomLamp(random);
+    if (lamp.Empty())
+    {
+      continue;
+    }
+    const Vec3 x = RandomPoint(random);
+    ASSERT_NEAR(LampKernel(lamp).At(x), PointToPolygon(x, Up, lamp), 1e-12) << "lamp " << i;
+  }
+}
+
+TEST(LampKernel, KeepsItsDigitsWhenTheLampIsSmallAndFar)
+{
+  const Polygon lamp{ { 40.0, 0.0, 30.0 }, { 40.0, 0.01, 30.0 }, { 40.01, 0.01, 30.0 },
+    { 40.01, 0.0, 30.0 } };
+  const double expected = PointToPolygon(Vec3(0.0), Up, lamp);
+  EXPECT_GT(expected, 1e-8);
+  EXPECT_NEAR(LampKernel(lamp).At(Vec2(0.0)) / expected, 1.0, 1e-9);
+}
+
+TEST(LampKernel, IsNothingBehindTheLampAndPiRightBelowAHugeOne)
+{
+  Polygon lamp{ { -1e3, -1e3, 1e-3 }, { -1e3, 1e3, 1e-3 }, { 1e3, 1e3, 1e-3 },
+    { 1e3, -1e3, 1e-3 } };
+  EXPECT_NEAR(LampKernel(lamp).At(Vec2(0.0)), Pi, 1e-9);
+  EXPECT_EQ(LampKernel(Reversed(lamp)).At(Vec2(0.0)), 0.0);
+}
+
+/// Occluders anywhere between the plane and the lamp: crossing, overlapping, hiding all.
+TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
+{
+  RandomStream random(11);
+  int cuts = 0;
+  int hidden = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Polygon lamp = RandomLamp(random);
+    if (lamp.Empty() || Area(lamp) < 1e-3)
+    {
+      continue;
+    }
+    const Plane front = SupportingPlane(lamp);
+    LampCutter cutter(lamp);
+    std::vector<Polygon> occluders;
+    std::vector<std::uint32_t> all;
+    for (int k = 0; k < 5; ++k)
+    {
+      const Vec3 centre(random.Next() - 0.5, random.Next() - 0.5, 0.6 * random.Next());
+      const Polygon whole = RandomPolygon(centre, 0.6 * random.Next(), random);
+      const Polygon part = ClipToFront(ClipToFront(whole, Plane(), 1e-10), front, 1e-10);
+      if (!part.Empty())
+      {
+        occluders.push_back(part);
+        all.push_back(cutter.AddOccluder(part));
+      }
+    }
+    const Vec3 x = RandomPoint(random);
+    if (front.Distance(x) <= 0.0)
+    {
+      continue;
+    }
+    LampCutter::Shadows shadows;
+    const auto seen = cutter.Seen(x, all, shadows);
+    ASSERT_TRUE(seen);
+    ASSERT_NEAR(*seen, PointToVisiblePolygon(x, Up, lamp, occluders), 1e-11) << "lamp " << i;
+    cuts += shadows.Any() ? 1 : 0;
+    hidden += *seen == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(cuts, 300);
+  EXPECT_GT(hidden, 20);
+}
+
+TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)
+{
+  const Polygon lamp{ { -0.1, -0.1, 1.0 }, { -0.1, 0.1, 1.0 }, { 0.1, 0.1, 1.0 },
+    { 0.1, -0.1, 1.0 } };
+  LampCutter cutter(lamp);
+  const std::uint32_t pane = cutter.AddOccluder(
+    { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
+  // The shadow core is 0.5 from the middle on.
+  const auto square = [](double h) {
+    return Polygon{ { -h, -h, 0.0 }, { h, -h, 0.0 }, { h, h, 0.0 }, { -h, h, 0.0 } };
+  };
+  EXPECT_TRUE(cutter.HidesAll(pane, square(0.49)));
+  EXPECT_FALSE(cutter.HidesAll(pane, square(0.51)));
+}
+
+} // namespace
+} // namespace vantage
