@@ -16,7 +16,7 @@ namespace
 {
 
 /// Sweeps end when this part is left to come.
-constexpr double SweepTolerance = 2e-4;
+constexpr double SweepTolerance = 5e-4;
 constexpr int MostSweeps = 10000;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
