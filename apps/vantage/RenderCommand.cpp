@@ -39,18 +39,20 @@ private:
   Clock::time_point Start = Clock::now();
 };
 
-void WriteImages(const RenderOptions& options, const Image& image)
+void WriteImages(
+  const RenderOptions& options, const Image& image, std::size_t frame = 0, std::size_t frames = 1)
 {
   for (const std::string& output : options.outputs)
   {
     if (SuffixOf(output) != ".vtp")
     {
-      WriteImage(image, output, options.toneMapping);
+      WriteImage(image, RenderOptions::FramePath(output, frame, frames), options.toneMapping);
     }
   }
 }
 
-void WriteSolution(const RenderOptions& options, const Solver& solver)
+void WriteSolution(
+  const RenderOptions& options, const Solver& solver, const std::vector<FrameReport>& frames)
 {
   for (const std::string& output : options.outputs)
   {
@@ -65,31 +67,38 @@ void WriteSolution(const RenderOptions& options, const Solver& solver)
   }
   if (!options.history.empty())
   {
-    WriteTextAtomically(options.history, PrintHistory(solver.History()));
+    WriteTextAtomically(options.history, PrintHistory(solver.History(), frames));
   }
 }
 
-/// The part of the budget that is used up, by the criterion that is nearest to its end. The error
-/// falls geometrically, so its logarithm tells how far it is.
-double FractionDone(const StepReport& step, const Budget& budget)
+/// The part of the budget that is used up since `before`, by the criterion that is nearest to its
+/// end. The error falls geometrically, so its logarithm tells how far it is.
+double FractionDone(const StepReport& step, const Budget& budget, const StepReport& before)
 {
-  const double bySteps = static_cast<double>(step.step) / static_cast<double>(budget.steps);
-  const double byTime = step.seconds / budget.seconds;
+  const double bySteps =
+    static_cast<double>(step.step - before.step) / static_cast<double>(budget.steps);
+  const double byTime = (step.seconds - before.seconds) / budget.seconds;
   const double goal = std::max(budget.error, 1e-13);
   const double byError =
     step.errorEstimate < 1.0 ? std::log(std::max(step.errorEstimate, goal)) / std::log(goal) : 0.0;
   return std::max({ bySteps, byTime, byError });
 }
 
+StepReport LastStep(const Solver& solver)
+{
+  return solver.History().empty() ? StepReport() : solver.History().back();
+}
+
 void Solve(Solver& solver, const RenderOptions& options)
 {
   const Budget budget = options.MakeBudget();
+  const StepReport before = LastStep(solver);
   ProgressBar bar(!options.quiet);
   solver.Run(budget,
     [&](const StepReport& step)
     {
-      bar.Update(
-        FractionDone(step, budget), "step " + std::to_string(step.step) + ", " + step.phase);
+      bar.Update(FractionDone(step, budget, before),
+        "step " + std::to_string(step.step) + ", " + step.phase);
       return true;
     });
 }
@@ -102,49 +111,78 @@ void Warn(const RenderOptions& options, const std::vector<std::string>& warnings
   }
 }
 
-Image GatherImage(
-  const RenderOptions& options, const Solver& solver, const Camera& camera, RenderReport& report)
+Image DrawFrame(
+  const RenderOptions& options, const Solver& solver, const Camera& camera, FrameReport& frame)
 {
+  if (!options.IsGathered())
+  {
+    return solver.Render(camera, options.MakeImageSettings(camera));
+  }
   GatheredView view = solver.Gather(camera, options.MakeGatherSettings(camera));
-  report.gather = view.report;
-  report.rays += view.report.primaryRays + view.report.shadowRays + view.report.gatherRays;
-  report.errorEstimate = std::hypot(report.errorEstimate, view.report.errorEstimate);
+  frame.gather = view.report;
+  frame.errorEstimate = std::hypot(frame.errorEstimate, view.report.errorEstimate);
   return std::move(view.radiance);
 }
 
-Image RenderWithSolver(
-  const RenderOptions& options, Scene scene, const Camera& camera, RenderReport& report)
+/// Solves for a camera, from where the solution stands.
+FrameReport SolveFrame(const RenderOptions& options, Solver& solver, const Camera& camera)
+{
+  Stopwatch watch;
+  const StepReport before = LastStep(solver);
+  solver.SetCamera(camera);
+  Warn(options, solver.Warnings());
+  Solve(solver, options);
+  const StepReport last = LastStep(solver);
+  FrameReport frame;
+  frame.camera = camera.name;
+  frame.viewFlux = last.viewFlux;
+  frame.errorEstimate = last.errorEstimate;
+  frame.historyRows = solver.History().size();
+  frame.steps = last.step - before.step;
+  frame.evaluations = last.work.Evaluations() - before.work.Evaluations();
+  frame.solverRays = last.work.Rays() - before.work.Rays();
+  frame.solveSeconds = watch.Lap();
+  return frame;
+}
+
+void Add(const FrameReport& frame, RenderReport& report)
+{
+  report.viewFlux = frame.viewFlux;
+  report.errorEstimate = frame.errorEstimate;
+  report.rays +=
+    frame.solverRays + frame.gather.primaryRays + frame.gather.shadowRays + frame.gather.gatherRays;
+  report.steps += frame.steps;
+  report.solveSeconds += frame.solveSeconds;
+  report.imageSeconds += frame.imageSeconds;
+  report.frames.push_back(frame);
+}
+
+void RenderWithSolver(const RenderOptions& options, Scene scene, const std::vector<Camera>& cameras,
+  RenderReport& report)
 {
   Stopwatch watch;
   Solver solver(std::move(scene), options.solver);
-  solver.SetCamera(camera);
-  Warn(options, solver.Warnings());
   report.buildSeconds = watch.Lap();
-  Solve(solver, options);
-  report.solveSeconds = watch.Lap();
-  if (!solver.History().empty())
+  for (std::size_t k = 0; k < cameras.size(); ++k)
   {
-    const StepReport& last = solver.History().back();
-    report.viewFlux = last.viewFlux;
-    report.errorEstimate = last.errorEstimate;
-    report.elements = last.elements;
-    report.interactions = last.interactions;
-    report.work = last.work;
-    report.rays = last.work.Rays();
-    report.steps = last.step;
+    FrameReport frame = SolveFrame(options, solver, cameras[k]);
+    if (options.WantsImage())
+    {
+      watch.Lap();
+      const Image image = DrawFrame(options, solver, cameras[k], frame);
+      frame.imageSeconds = watch.Lap();
+      WriteImages(options, image, k, cameras.size());
+    }
+    Add(frame, report);
   }
-  Image image;
-  if (options.WantsImage())
-  {
-    image = options.IsGathered() ? GatherImage(options, solver, camera, report)
-                                 : solver.Render(camera, options.MakeImageSettings(camera));
-  }
-  report.imageSeconds = watch.Lap();
-  WriteSolution(options, solver);
-  return image;
+  const StepReport last = LastStep(solver);
+  report.elements = last.elements;
+  report.interactions = last.interactions;
+  report.work = last.work;
+  WriteSolution(options, solver, report.frames);
 }
 
-Image RenderWithPathTracer(
+void RenderWithPathTracer(
   const RenderOptions& options, const Scene& scene, const Camera& camera, RenderReport& report)
 {
   Stopwatch watch;
@@ -156,7 +194,7 @@ Image RenderWithPathTracer(
   const ElementImageSettings size = options.MakeImageSettings(camera);
   PathTracerReport figures;
   ProgressBar bar(!options.quiet);
-  Image image =
+  const Image image =
     tracer.Render(camera, size.width, size.height, options.MakePathTracerSettings(), &figures, {},
       [&bar](double fraction)
       {
@@ -168,7 +206,7 @@ Image RenderWithPathTracer(
   report.errorEstimate = figures.relativeNoise;
   report.rays = figures.rays;
   report.steps = static_cast<std::uint64_t>(figures.samplesPerPixel);
-  return image;
+  WriteImages(options, image);
 }
 
 int Render(RenderOptions options)
@@ -186,14 +224,18 @@ int Render(RenderOptions options)
   report.threads = static_cast<int>(threads);
   std::vector<std::string> warnings;
   Scene scene = ReadScene(options.scene, &warnings);
-  const Camera camera = options.ChooseCamera(scene);
+  const std::vector<Camera> cameras = options.ChooseCameras(scene);
   Warn(options, warnings);
   report.loadSeconds = watch.Lap();
 
-  const Image image = options.IsPathTracing()
-                        ? RenderWithPathTracer(options, scene, camera, report)
-                        : RenderWithSolver(options, std::move(scene), camera, report);
-  WriteImages(options, image);
+  if (options.IsPathTracing())
+  {
+    RenderWithPathTracer(options, scene, cameras.front(), report);
+  }
+  else
+  {
+    RenderWithSolver(options, std::move(scene), cameras, report);
+  }
   report.totalSeconds = total.Lap();
   if (!options.report.empty())
   {

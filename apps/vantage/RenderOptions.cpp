@@ -4,6 +4,7 @@
 #include "ImageFile.h"
 #include "core/Error.h"
 #include "io/AtomicFile.h"
+#include "io/CameraFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -31,7 +32,12 @@ std::vector<std::string> AllMethodNames()
 
 void DeclareCamera(CLI::App& command, RenderOptions& options)
 {
-  command.add_option("--camera", options.camera, "Name of one of the scene's cameras [the first]");
+  command
+    .add_option("--camera", options.cameras,
+      "Name of one of the scene's cameras [the first]; given again: an image each, -0001 and so on")
+    ->expected(1)
+    ->take_all();
+  command.add_option("--walk", options.walk, "File of cameras to go through, noted as in .obj");
   command.add_option("--eye", options.eye, "Position X Y Z");
   command.add_option("--look-at", options.lookAt, "Middle of the image X Y Z");
   command.add_option("--up", options.up, "Upward direction X Y Z [0 0 1 without a camera]");
@@ -159,6 +165,14 @@ void RenderOptions::Resolve()
   {
     throw InputError("--error: path-tracing does not stop at an error; give --steps or --time");
   }
+  if (!this->walk.empty() && !this->cameras.empty())
+  {
+    throw InputError("--walk: it brings its own cameras; drop --camera");
+  }
+  if (this->IsPathTracing() && (this->cameras.size() > 1 || !this->walk.empty()))
+  {
+    throw InputError("path-tracing keeps nothing from camera to camera; give one --camera a run");
+  }
   if (this->IsGathered() && (this->samplesPerPixel || this->flat))
   {
     throw InputError("--samples-per-pixel and --flat: the image of goal-oriented is gathered, not "
@@ -255,7 +269,8 @@ GatherSettings RenderOptions::MakeGatherSettings(const Camera& camera) const
   GatherSettings settings;
   settings.width = image.width;
   settings.height = image.height;
-  settings.error = std::clamp(GatherShare * this->error.value_or(DefaultError), 1e-4, 1.0);
+  settings.error =
+    std::clamp(GatherShare * this->error.value_or(DefaultError), LeastGatherError, 1.0);
   settings.pixelCentres = this->pixelCentres;
   settings.seed = this->solver.seed;
   return settings;
@@ -276,30 +291,52 @@ PathTracerSettings RenderOptions::MakePathTracerSettings() const
   return settings;
 }
 
-Camera RenderOptions::ChooseCamera(const Scene& scene) const
+std::vector<Camera> RenderOptions::ChooseCameras(const Scene& scene) const
 {
-  Camera camera;
-  camera.up = Vec3(0.0, 0.0, 1.0);
-  if (!this->camera.empty())
+  std::vector<Camera> chosen;
+  for (const std::string& name : this->cameras)
   {
-    camera = scene.FindCamera(this->camera);
+    chosen.push_back(scene.FindCamera(name));
   }
-  else if (!scene.cameras.empty())
+  if (!this->walk.empty())
   {
-    camera = scene.cameras.front();
+    chosen = ReadCameras(this->walk);
   }
-  else if (!this->eye || !this->lookAt)
+  if (chosen.empty() && !scene.cameras.empty())
+  {
+    chosen.push_back(scene.cameras.front());
+  }
+  if (chosen.empty() && (!this->eye || !this->lookAt))
   {
     throw InputError(this->scene + ": it has no camera; give --eye X Y Z and --look-at X Y Z");
   }
-  camera.eye = this->eye ? ToVec3(*this->eye) : camera.eye;
-  camera.lookAt = this->lookAt ? ToVec3(*this->lookAt) : camera.lookAt;
-  camera.up = this->up ? ToVec3(*this->up) : camera.up;
-  camera.fieldOfView = this->fieldOfView.value_or(camera.fieldOfView);
-  const ElementImageSettings image = this->MakeImageSettings(camera);
-  camera.aspect = static_cast<double>(image.width) / image.height;
-  camera.Validate();
-  return camera;
+  if (chosen.empty())
+  {
+    chosen.emplace_back().up = Vec3(0.0, 0.0, 1.0);
+  }
+  for (Camera& camera : chosen)
+  {
+    camera.eye = this->eye ? ToVec3(*this->eye) : camera.eye;
+    camera.lookAt = this->lookAt ? ToVec3(*this->lookAt) : camera.lookAt;
+    camera.up = this->up ? ToVec3(*this->up) : camera.up;
+    camera.fieldOfView = this->fieldOfView.value_or(camera.fieldOfView);
+    const ElementImageSettings image = this->MakeImageSettings(camera);
+    camera.aspect = static_cast<double>(image.width) / image.height;
+    camera.Validate();
+  }
+  return chosen;
+}
+
+std::string RenderOptions::FramePath(const std::string& output, std::size_t k, std::size_t n)
+{
+  if (n == 1)
+  {
+    return output;
+  }
+  const std::string number = std::to_string(k + 1);
+  const std::string suffix = SuffixOf(output);
+  return output.substr(0, output.size() - suffix.size()) + "-" +
+         std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number + suffix;
 }
 
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options)

@@ -30,7 +30,8 @@ struct RenderOptions
   std::string history;              ///< .csv
   std::string report;               ///< .json
 
-  std::string camera;
+  std::vector<std::string> cameras; ///< names; an image each
+  std::string walk;                 ///< a file of cameras (io/CameraFile.h), instead
   std::optional<std::array<double, 3>> eye, lookAt, up;
   std::optional<double> fieldOfView;
   std::optional<std::array<int, 2>> size;
@@ -64,9 +65,12 @@ struct RenderOptions
   ElementImageSettings MakeImageSettings(const Camera& camera) const;
   GatherSettings MakeGatherSettings(const Camera& camera) const;
   PathTracerSettings MakePathTracerSettings() const;
-  /// The camera of that name, else the first of the scene, changed by --eye and the like; its
-  /// aspect ratio is that of the image. \throw InputError
-  Camera ChooseCamera(const Scene& scene) const;
+  /// The cameras of those names or of the walk, else the first of the scene, changed by --eye and
+  /// the like; their aspect ratios are those of the images. At least one. \throw InputError
+  std::vector<Camera> ChooseCameras(const Scene& scene) const;
+  /// Where the image of frame k of n goes: `output` when it is the only one, else with the number,
+  /// from 0001, before the suffix.
+  static std::string FramePath(const std::string& output, std::size_t k, std::size_t n);
 
 private:
   void CheckOutputs() const;

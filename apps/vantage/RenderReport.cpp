@@ -20,12 +20,43 @@ std::int64_t PeakMemoryBytes()
 
 } // namespace
 
-std::string PrintReport(const RenderReport& report)
+namespace
+{
+
+nlohmann::ordered_json ToJson(const WorkCounters& counters)
 {
   nlohmann::ordered_json work = nlohmann::ordered_json::object();
-  ForEachCounter(
-    report.work, [&work](const char* name, std::uint64_t count) { work[name] = count; });
-  const GatherReport& gather = report.gather;
+  ForEachCounter(counters, [&](const char* name, std::uint64_t count) { work[name] = count; });
+  return work;
+}
+
+nlohmann::ordered_json ToJson(const GatherReport& gather)
+{
+  return { { "primaryRays", gather.primaryRays }, { "primaryLooks", gather.primaryLooks },
+    { "viewPoints", gather.viewPoints }, { "lampEvaluations", gather.lampEvaluations },
+    { "cutEvaluations", gather.cutEvaluations }, { "occluderQueries", gather.occluderQueries },
+    { "shadowRays", gather.shadowRays }, { "gatherPoints", gather.gatherPoints },
+    { "gatherRays", gather.gatherRays } };
+}
+
+nlohmann::ordered_json ToJson(const FrameReport& frame)
+{
+  return { { "camera", frame.camera }, { "viewFlux", frame.viewFlux },
+    { "errorEstimate", frame.errorEstimate }, { "steps", frame.steps },
+    { "evaluations", frame.evaluations }, { "solverRays", frame.solverRays },
+    { "gather", ToJson(frame.gather) },
+    { "seconds", { { "solve", frame.solveSeconds }, { "image", frame.imageSeconds } } } };
+}
+
+} // namespace
+
+std::string PrintReport(const RenderReport& report)
+{
+  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+  for (const FrameReport& frame : report.frames)
+  {
+    frames.push_back(ToJson(frame));
+  }
   const nlohmann::ordered_json json = {
     { "method", report.method },
     { "viewFlux", report.viewFlux },
@@ -34,13 +65,8 @@ std::string PrintReport(const RenderReport& report)
     { "interactions", report.interactions },
     { "rays", report.rays },
     { "steps", report.steps },
-    { "work", work },
-    { "gather",
-      { { "primaryRays", gather.primaryRays }, { "primaryLooks", gather.primaryLooks },
-        { "viewPoints", gather.viewPoints }, { "lampEvaluations", gather.lampEvaluations },
-        { "cutEvaluations", gather.cutEvaluations }, { "occluderQueries", gather.occluderQueries },
-        { "shadowRays", gather.shadowRays }, { "gatherPoints", gather.gatherPoints },
-        { "gatherRays", gather.gatherRays } } },
+    { "work", ToJson(report.work) },
+    { "frames", frames },
     { "seconds", { { "load", report.loadSeconds }, { "build", report.buildSeconds },
                    { "solve", report.solveSeconds }, { "image", report.imageSeconds },
                    { "total", report.totalSeconds } } },
@@ -50,16 +76,24 @@ std::string PrintReport(const RenderReport& report)
   return json.dump(2) + "\n";
 }
 
-std::string PrintHistory(const std::vector<StepReport>& history)
+std::string PrintHistory(
+  const std::vector<StepReport>& history, const std::vector<FrameReport>& frames)
 {
-  std::string text = "step,phase,patch,viewFlux,unshotViewFlux,unshotPower,errorEstimate,elements,"
-                     "interactions,evaluations,rays,seconds";
+  std::string text =
+    "frame,step,phase,patch,viewFlux,unshotViewFlux,unshotPower,errorEstimate,elements,"
+    "interactions,evaluations,rays,seconds";
   ForEachCounter(
     WorkCounters(), [&text](const char* name, std::uint64_t) { text += std::string(",") + name; });
   text += '\n';
-  for (const StepReport& row : history)
+  std::size_t frame = 0;
+  for (std::size_t k = 0; k < history.size(); ++k)
   {
-    text += std::to_string(row.step) + ',' + row.phase + ',' +
+    const StepReport& row = history[k];
+    while (frame + 1 < frames.size() && k >= frames[frame].historyRows)
+    {
+      ++frame;
+    }
+    text += std::to_string(frame + 1) + ',' + std::to_string(row.step) + ',' + row.phase + ',' +
             (row.patch == None ? "-1" : std::to_string(row.patch)) + ',' +
             PrintNumber(row.viewFlux) + ',' + PrintNumber(row.unshotViewFlux) + ',' +
             PrintNumber(row.unshotPower) + ',' + PrintNumber(row.errorEstimate) + ',' +

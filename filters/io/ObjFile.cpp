@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "io/AtomicFile.h"
+#include "io/CameraFile.h"
 #include "io/MtlFile.h"
 #include "io/ObjLines.h"
 #include "io/TextLines.h"
@@ -81,18 +82,6 @@ std::string EscapeFileName(const std::string& name)
     escaped += c == ' ' || c == '\\' ? std::string{ '\\', c } : std::string{ c };
   }
   return escaped;
-}
-
-std::string PrintCamera(const Camera& camera)
-{
-  if (camera.name.empty() || camera.name.find_first_of(" \t\r\n\f\v") != std::string::npos)
-  {
-    throw InputError(
-      "camera '" + camera.name + "': OBJ asks for names without white space; rename it");
-  }
-  return "# camera " + camera.name + " eye " + PrintTriple(camera.eye) + " look-at " +
-         PrintTriple(camera.lookAt) + " up " + PrintTriple(camera.up) + " fov " +
-         PrintNumber(camera.fieldOfView) + " aspect " + PrintNumber(camera.aspect) + "\n";
 }
 
 std::string PrintPolygons(const Scene& scene)

@@ -9,13 +9,10 @@
 /// Scenes as Wavefront OBJ with MTL materials.
 ///
 /// Read: polygons as they are (no triangulation, at most 255 corners), front side by the right-hand
-/// rule; the materials of MtlFile.h; and cameras, which are comments to all other programs:
-///
-///     # camera NAME eye X Y Z look-at X Y Z up X Y Z fov DEGREES aspect RATIO
-///
-/// with the vertical field of view and width / height. A polygon before any usemtl gets a material
-/// named "default", of albedo 0.5. Groups, normals and texture coordinates are read over; lines,
-/// points and curves too, with a warning.
+/// rule; the materials of MtlFile.h; and cameras, which are comments to all other programs: see
+/// CameraFile.h. A polygon before any usemtl gets a material named "default", of albedo 0.5.
+/// Groups, normals and texture coordinates are read over; lines, points and curves too, with a
+/// warning.
 
 namespace vantage
 {

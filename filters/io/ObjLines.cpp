@@ -1,6 +1,7 @@
 #include "io/ObjLines.h"
 
 #include "core/Error.h"
+#include "io/CameraFile.h"
 #include "io/MtlFile.h"
 #include "io/TextLines.h"
 
@@ -203,37 +204,12 @@ private:
     }
   }
 
-  /// # camera NAME eye X Y Z look-at X Y Z up X Y Z fov DEGREES aspect RATIO
   void ReadCameraIfAny()
   {
-    const auto& words = this->Lines.Words();
-    if (words.size() < 4 || words[1] != "camera" || words[3] != "eye")
+    if (const std::optional<Camera> camera = CameraNote(this->Lines))
     {
-      return; // any other comment
+      this->Result.cameras.push_back(*camera);
     }
-    if (words.size() != 19 || words[7] != "look-at" || words[11] != "up" || words[15] != "fov" ||
-        words[17] != "aspect")
-    {
-      this->Lines.Fail("camera comment is not complete",
-        "write # camera NAME eye X Y Z look-at X Y Z up X Y Z fov DEGREES aspect RATIO");
-    }
-    Camera camera;
-    camera.name = words[2];
-    camera.eye = this->Lines.Triple(4);
-    camera.lookAt = this->Lines.Triple(8);
-    camera.up = this->Lines.Triple(12);
-    camera.fieldOfView = this->Lines.Number(16);
-    camera.aspect = this->Lines.Number(18);
-    try
-    {
-      camera.Validate();
-    }
-    catch (const InputError& error)
-    {
-      throw InputError(
-        this->Lines.Path() + ":" + std::to_string(this->Lines.Line()) + ": " + error.what());
-    }
-    this->Result.cameras.push_back(camera);
   }
 
   void Warn(const std::string& what)

@@ -71,6 +71,70 @@ TEST(Render, ReportHoldsWhatWasDone)
   EXPECT_EQ(static_cast<std::uint64_t>(rows), 1 + report["steps"].get<std::uint64_t>());
 }
 
+TEST(Render, EachFurtherCameraCostsLessThanTheFirst)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  folder.Write("walk.txt",
+    "a walk\n"
+    "# camera first eye -.9 0 0 look-at 1 0 -.2 up 0 0 1 fov 60 aspect 1\n"
+    "# camera second eye -.8 0 0 look-at 1 .1 -.2 up 0 0 1 fov 60 aspect 1\n"
+    "# camera third eye -.7 .1 0 look-at 1 .2 -.2 up 0 0 1 fov 60 aspect 1\n");
+  const RunResult run = RunVantage(folder,
+    "render s.obj --size 24 16 --error 0.05 --walk walk.txt -o a.exr --history h.csv "
+    "--report r.json");
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  for (const char* name : { "a-0001.exr", "a-0002.exr", "a-0003.exr" })
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.exr"));
+  const nlohmann::json report = nlohmann::json::parse(test::ReadText(folder / "r.json"));
+  ASSERT_EQ(report["frames"].size(), 3u);
+  EXPECT_EQ(report["frames"][2]["camera"], "third");
+  std::uint64_t steps = 0;
+  for (const nlohmann::json& frame : report["frames"])
+  {
+    EXPECT_LE(frame["errorEstimate"], 0.05);
+    EXPECT_GT(frame["gather"]["gatherRays"], 0);
+    steps += frame["steps"].get<std::uint64_t>();
+  }
+  EXPECT_EQ(report["steps"], steps);
+  for (int k : { 1, 2 })
+  {
+    EXPECT_LT(report["frames"][k]["evaluations"], report["frames"][0]["evaluations"]);
+  }
+  const std::string history = test::ReadText(folder / "h.csv");
+  EXPECT_EQ(history.rfind("frame,step,", 0), 0u);
+  for (const char* row : { "\n1,1,", "\n2,", "\n3," })
+  {
+    EXPECT_NE(history.find(row), std::string::npos) << row;
+  }
+  // The second frame is what a run for it alone shows, within what was asked of both.
+  ASSERT_EQ(
+    RunVantage(folder, "render s.obj --size 24 16 --error 0.05 --eye -.8 0 0 --look-at 1 .1 -.2 "
+                       "-o b.exr")
+      .exitCode,
+    0);
+  EXPECT_EQ(RunVantage(folder, "compare a-0002.exr b.exr --tolerance 0.07").exitCode, 0);
+}
+
+TEST(Render, CamerasAreGivenByNameAsOftenAsOneLikes)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const RunResult run = Render(folder, "--error 0.2 --camera main --camera main -o a.exr");
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_EQ(RunVantage(folder, "compare a-0001.exr a-0002.exr --tolerance 0.2").exitCode, 0);
+}
+
+TEST(Render, AnErrorBelowWhatAGatherCanPromiseIsNoMistake)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  EXPECT_EQ(Render(folder, "--error 0.0001 --steps 3 -o a.exr").exitCode, 0);
+}
+
 TEST(Render, StopsAfterTheStepsAskedFor)
 {
   const TemporaryFolder folder;

@@ -245,7 +245,7 @@ void GatherSettings::Validate() const
                                                  "; give a number from 1 to " +
                                                  std::to_string(MostPixels));
   }
-  require(this->error >= 5e-4 && this->error <= 1.0,
+  require(this->error >= LeastGatherError && this->error <= 1.0,
     "error is " + std::to_string(this->error) + "; give a number from 0.0005 to 1");
 }
 

@@ -14,11 +14,14 @@
 namespace vantage
 {
 
+/// The least error that a gather may be asked for.
+inline constexpr double LeastGatherError = 5e-4;
+
 struct GatherSettings
 {
   int width = 512;           ///< pixels, 1 .. 32768
   int height = 512;          ///< pixels, 1 .. 32768
-  double error = 0.01;       ///< relative L1 error that the gather may add, 0.0005 .. 1
+  double error = 0.01;       ///< relative L1 that the gather may add, LeastGatherError .. 1
   bool pixelCentres = false; ///< what the centre of each pixel sees, else the mean over the pixel
   std::uint64_t seed = 1;    ///< of the directions of the gather
 
