@@ -2,6 +2,7 @@
 
 #include "core/GoalOrientedEngine.h"
 #include "core/ShootingEngine.h"
+#include "core/mesh/ContactCuts.h"
 #include "core/transport/Solvability.h"
 #include "core/view/ViewImportance.h"
 
@@ -104,7 +105,7 @@ struct Solver::Implementation
   Implementation(Scene givenScene, const SolverSettings& givenSettings)
     : scene(Validated(std::move(givenScene)))
     , settings(givenSettings)
-    , facets(BuildFacets(this->scene))
+    , facets(CutAtContacts(BuildFacets(this->scene)))
     , occluders(std::make_shared<const OccluderScene>(this->facets))
     , engine(MakeEngine(givenSettings, this->scene, this->facets, *this->occluders))
   {

@@ -374,20 +374,5 @@ TEST(GoalOriented, ACameraThatSeesNothingEndsAtOnce)
   EXPECT_GT(Mean(solver.ViewFluxOfRadiance()), 0.0);
 }
 
-TEST(GoalOriented, ALampBehindANarrowGapIsFound)
-{
-  for (const double width : { 0.1, 0.03, 0.01 })
-  {
-    SCOPED_TRACE("width " + std::to_string(width));
-    const Scene scene = test::MakeRoomsWithASlit(width);
-    Solver solver = MakeGoalSolver(scene);
-    EXPECT_EQ(solver.Run(Error(0.1)), RunEnd::Converged);
-    // Gathering has elements of the same size at the slit, and their error.
-    const ImageDifference difference =
-      Compare(Picture(solver, scene.cameras[0]), ReferencePicture(scene, scene.cameras[0]));
-    EXPECT_LT(std::abs(difference.relativeBias), 0.4);
-  }
-}
-
 } // namespace
 } // namespace vantage

@@ -229,5 +229,41 @@ TEST(Session, TheFluxNeverFallsAndNeverExceedsTheConvergedOne)
   }
 }
 
+TEST(Solver, NoLightPassesBelowAWall)
+{
+  // Two rooms under one roof and on one floor, a lamp in the left one.
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.7)),
+    test::MakeMaterial(Color(0.0), Color(9.0), false) };
+  test::AddBox(scene, Vec3(0.0), Vec3(3.0, 2.0, 1.0), true, { 0, 0, 0, 0, 0, 0 });
+  scene.AddPolygon({ Vec3(1.3, 0, 0), Vec3(1.3, 2, 0), Vec3(1.3, 2, 1), Vec3(1.3, 0, 1) }, 0);
+  scene.AddPolygon(
+    { Vec3(0.4, 0.8, 0.9), Vec3(0.4, 1.2, 0.9), Vec3(0.8, 1.2, 0.9), Vec3(0.8, 0.8, 0.9) }, 1);
+  for (const Method method : { Method::GaussSeidel, Method::ProgressiveShooting })
+  {
+    SolverSettings settings;
+    settings.method = method;
+    Solver solver(scene, settings);
+    Budget budget;
+    budget.error = 1e-3;
+    solver.Run(budget);
+    const ElementSolution elements = solver.Elements();
+    double lit = 0.0;
+    for (std::size_t k = 0; k < elements.radiance.size(); ++k)
+    {
+      const ElementSurface& surface = elements.surface;
+      double x = 0.0;
+      for (std::uint32_t i = surface.offsets[k]; i < surface.offsets[k + 1]; ++i)
+      {
+        x += surface.points[surface.indices[i]].x / (surface.offsets[k + 1] - surface.offsets[k]);
+      }
+      const bool isRight = x > 1.3 + 1e-9;
+      EXPECT_TRUE(!isRight || elements.radiance[k] == Color(0.0)) << "element " << k;
+      lit = std::max(lit, Mean(elements.radiance[k]));
+    }
+    EXPECT_GT(lit, 1.0);
+  }
+}
+
 } // namespace
 } // namespace vantage
