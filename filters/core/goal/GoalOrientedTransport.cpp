@@ -17,7 +17,7 @@ namespace
 
 /// Sweeps end when this part is left to come.
 constexpr double SweepTolerance = 5e-4;
-constexpr int MostSweeps = 10000;
+constexpr int MostSweeps = 1000;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
 
@@ -88,7 +88,8 @@ void GoalOrientedTransport::SetSources()
     }
     const Color reflection = node.albedo / Pi;
     const double view = this->Settings.importance ? node.view / node.area : 1.0;
-    this->ImportanceFlow.SetSource(id, reflection * view, Mean(reflection) * node.viewRms);
+    const double viewRms = this->Settings.importance ? node.viewRms : 1.0;
+    this->ImportanceFlow.SetSource(id, reflection * view, Mean(reflection) * viewRms);
   }
 }
 
