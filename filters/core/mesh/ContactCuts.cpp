@@ -1,5 +1,7 @@
 #include "core/mesh/ContactCuts.h"
 
+#include "core/math/Box.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,27 +21,6 @@ constexpr double LeastCovered = 0.75;
 constexpr double Touching = 1e-9;
 /// A facet is cut along no more lines than these.
 constexpr int MostCuts = 6;
-
-struct Box
-{
-  Vec3 low, high;
-
-  explicit Box(const Polygon& p)
-    : low(p[0])
-    , high(p[0])
-  {
-    for (const Vec3& v : p)
-    {
-      this->low = glm::min(this->low, v);
-      this->high = glm::max(this->high, v);
-    }
-  }
-  bool Touches(const Box& other, double tolerance) const
-  {
-    return glm::all(glm::lessThanEqual(this->low, other.high + tolerance)) &&
-           glm::all(glm::lessThanEqual(other.low, this->high + tolerance));
-  }
-};
 
 /// Which facets are near which: a grid of cells of about their size.
 class Neighbourhood

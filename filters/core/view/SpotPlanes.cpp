@@ -1,5 +1,6 @@
 #include "core/view/SpotPlanes.h"
 
+#include "core/math/Box.h"
 #include "core/mesh/DisjointSets.h"
 #include "core/view/PatchFrame.h"
 
@@ -26,27 +27,6 @@ struct SpotPatch
   PatchId patch;
   Polygon shape; ///< counter-clockwise from its side
   Plane plane;
-};
-
-struct Box
-{
-  Vec3 low, high;
-
-  explicit Box(const Polygon& p)
-    : low(p[0])
-    , high(p[0])
-  {
-    for (const Vec3& v : p)
-    {
-      this->low = glm::min(this->low, v);
-      this->high = glm::max(this->high, v);
-    }
-  }
-  bool Touches(const Box& other, double tolerance) const
-  {
-    return glm::all(glm::lessThanEqual(this->low, other.high + tolerance)) &&
-           glm::all(glm::lessThanEqual(other.low, this->high + tolerance));
-  }
 };
 
 std::vector<SpotPatch> PatchesOf(
