@@ -26,13 +26,14 @@ void Gather(
   GatherSettings pixels;
   pixels.width = pixels.height = settings.size;
   pixels.pixelCentres = settings.pixelCentres;
-  pixels.error = GatherShare * settings.error;
+  pixels.error = std::max(GatherShare * settings.error, LeastGatherError);
   pixels.seed = settings.seed;
   const GatheredView view = solver.Gather(camera, pixels);
   run.image = view.radiance;
   run.view = view.report;
   run.estimate = std::hypot(run.solveEstimate, view.report.errorEstimate);
-  run.rays += view.report.primaryRays + view.report.shadowRays + view.report.gatherRays;
+  run.rays += view.report.primaryRays + view.report.shadowRays + view.report.gatherRays +
+              view.report.hitShadowRays;
 }
 
 } // namespace

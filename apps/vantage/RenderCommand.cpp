@@ -149,8 +149,8 @@ void Add(const FrameReport& frame, RenderReport& report)
 {
   report.viewFlux = frame.viewFlux;
   report.errorEstimate = frame.errorEstimate;
-  report.rays +=
-    frame.solverRays + frame.gather.primaryRays + frame.gather.shadowRays + frame.gather.gatherRays;
+  report.rays += frame.solverRays + frame.gather.primaryRays + frame.gather.shadowRays +
+                 frame.gather.gatherRays + frame.gather.hitShadowRays;
   report.steps += frame.steps;
   report.solveSeconds += frame.solveSeconds;
   report.imageSeconds += frame.imageSeconds;

@@ -36,7 +36,7 @@ nlohmann::ordered_json ToJson(const GatherReport& gather)
     { "viewPoints", gather.viewPoints }, { "lampEvaluations", gather.lampEvaluations },
     { "cutEvaluations", gather.cutEvaluations }, { "occluderQueries", gather.occluderQueries },
     { "shadowRays", gather.shadowRays }, { "gatherPoints", gather.gatherPoints },
-    { "gatherRays", gather.gatherRays } };
+    { "gatherRays", gather.gatherRays }, { "hitShadowRays", gather.hitShadowRays } };
 }
 
 nlohmann::ordered_json ToJson(const FrameReport& frame)

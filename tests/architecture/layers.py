@@ -15,7 +15,7 @@ CORE_LAYERS = {
     "reference": ("visibility", "formfactor", "mesh", "scene", "math"),
     "transport": ("visibility", "formfactor", "mesh", "scene", "math"),
     "goal": ("transport", "visibility", "formfactor", "mesh", "scene", "math"),
-    "view": ("transport", "visibility", "mesh", "scene", "math"),
+    "view": ("transport", "visibility", "formfactor", "mesh", "scene", "math"),
 }
 # Solver composes all but the reference, which must stay independent of what it judges.
 SOLVER_LAYERS = ("view", "goal", "transport", "formfactor", "visibility", "mesh", "scene", "math")

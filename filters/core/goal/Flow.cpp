@@ -6,6 +6,31 @@
 namespace vantage
 {
 
+namespace
+{
+
+/// Gives every inner node the mean of its leaves.
+void AverageUp(const OpenTree& tree, std::vector<double>& values)
+{
+  for (OpenId id = tree.Size(); id-- > 0;)
+  {
+    const OpenNode& node = tree[id];
+    double sum = 0.0;
+    double area = 0.0;
+    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
+    {
+      area += tree[c].area;
+      sum += tree[c].area * values[c];
+    }
+    if (area > 0.0)
+    {
+      values[id] = sum / area;
+    }
+  }
+}
+
+} // namespace
+
 void Flow::Follow(const OpenTree& tree)
 {
   for (OpenId id = static_cast<OpenId>(this->Values.size()); id < tree.Size(); ++id)
@@ -48,6 +73,45 @@ double Flow::Sweep(
   const double change = this->ReflectAtLeaves(tree, closure);
   this->PullUp(tree);
   return change;
+}
+
+void Flow::FindStraight(
+  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure)
+{
+  std::vector<double> weighted(tree.Size(), 0.0);
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    if (tree[id].IsLeaf())
+    {
+      weighted[id] = closure[id] * Mean(this->Sources[id]);
+    }
+  }
+  AverageUp(tree, weighted);
+  this->Straight.assign(tree.Size(), 0.0);
+  for (const Link& link : links)
+  {
+    const auto [a, b] = link.ends;
+    this->Straight[a] += link.throughput / tree[a].area * weighted[b];
+    if (!link.IsSelf())
+    {
+      this->Straight[b] += link.throughput / tree[b].area * weighted[a];
+    }
+  }
+  for (OpenId id = 1; id < tree.Size(); ++id)
+  {
+    this->Straight[id] += this->Straight[tree[id].parent];
+  }
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    this->Straight[id] *= Mean(tree[id].albedo) / Pi * closure[id];
+  }
+  AverageUp(tree, this->Straight);
+}
+
+double Flow::StraightPart(OpenId id) const
+{
+  const double received = Mean(this->Received(id));
+  return received > 0.0 ? std::clamp(this->Straight[id] / received, 0.0, 1.0) : 0.0;
 }
 
 void Flow::Receive(const Link& link, OpenId to, OpenId from, double area)

@@ -29,6 +29,10 @@ public:
   double Sweep(
     const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
 
+  /// Finds what came from the sources at one go, for StraightPart(). O(links + nodes).
+  void FindStraight(
+    const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
+
   /// Means over the nodes, weighted by area.
   const Color& Value(OpenId id) const { return this->Values[id]; }
   /// Standard deviation of the mean channel over the node: between the leaves below, and within
@@ -47,6 +51,10 @@ public:
   const Color& Source(OpenId id) const { return this->Sources[id]; }
   /// What came over links: Value - Source.
   Color Received(OpenId id) const { return this->Values[id] - this->Sources[id]; }
+
+  /// Of the mean channel of Received(), the part in [0, 1] that has been reflected once only: it
+  /// came straight from a source. \pre FindStraight
+  double StraightPart(OpenId id) const;
 
   /// What arrives at a leaf: irradiance H, or P - V.
   const Color& Arriving(OpenId leaf) const { return this->Incoming[leaf]; }
@@ -69,6 +77,7 @@ private:
   std::vector<double> Variances; ///< of the irradiance over the node, likewise
   std::vector<double> Shadows;   ///< its deviation by shadows, which all may fall on the same part
   std::vector<double> Spreads;
+  std::vector<double> Straight; ///< see StraightPart(), mean channel
 };
 
 } // namespace vantage

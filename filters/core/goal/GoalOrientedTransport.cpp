@@ -15,8 +15,10 @@ namespace vantage
 namespace
 {
 
-/// Sweeps end when this part is left to come.
-constexpr double SweepTolerance = 5e-4;
+/// Sweeps end when this part of the last estimate of the error is left to come, or the least one.
+constexpr double SweptPart = 0.02;
+constexpr double LeastTolerance = 5e-4;
+constexpr double LargestEstimate = 0.2;
 constexpr int MostSweeps = 1000;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
@@ -101,24 +103,28 @@ void GoalOrientedTransport::Solve()
   CloseRows(this->Open, this->AllLinks, this->Closure);
   this->Converge(this->RadianceFlow);
   this->Converge(this->ImportanceFlow);
+  this->ImportanceFlow.FindStraight(this->Open, this->AllLinks, this->Closure);
   LinkErrors errors =
     EstimateLinkErrors(this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow);
   this->Errors = std::move(errors.ofLink);
   const double goal = this->Goal();
-  this->Estimate = goal > 0.0 ? errors.all / goal : 0.0;
+  // Infinite where nothing is known to be lit yet.
+  this->Estimate = errors.all > 0.0 ? errors.all / goal : 0.0;
 }
 
 void GoalOrientedTransport::Converge(Flow& flow)
 {
   // What a sweep changes falls by the same factor each time in the end: what is left to come is the
   // rest of a geometric series.
+  const double tolerance =
+    std::max(LeastTolerance, SweptPart * std::min(this->Estimate, LargestEstimate));
   double lastChange = 0.0;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
     ++this->Counts.sweeps;
     const double change = flow.Sweep(this->Open, this->AllLinks, this->Closure);
     const double slowing = lastChange - change;
-    if (change == 0.0 || (change < SweepTolerance && change * change < SweepTolerance * slowing))
+    if (change == 0.0 || (change < tolerance && change * change < tolerance * slowing))
     {
       break;
     }
@@ -145,12 +151,12 @@ double GoalOrientedTransport::Goal() const
 
 Color GoalOrientedTransport::ViewFlux() const
 {
-  Color flux(0.0);
+  Color flux = this->Open.EmissionInView();
   for (OpenId id = 0; id < this->Open.Size(); ++id)
   {
     if (this->Open[id].IsLeaf())
     {
-      flux += this->Open[id].view * this->RadianceFlow.Value(id);
+      flux += this->Open[id].view * this->RadianceFlow.Received(id);
     }
   }
   return flux;
@@ -158,13 +164,13 @@ Color GoalOrientedTransport::ViewFlux() const
 
 Color GoalOrientedTransport::ViewFluxOfImportance() const
 {
-  Color flux(0.0);
+  Color flux = this->Open.EmissionInView();
   for (OpenId id = 0; id < this->Open.Size(); ++id)
   {
     const OpenNode& node = this->Open[id];
     if (node.IsLeaf() && node.IsExposed())
     {
-      flux += node.emission * (Color(node.view) + node.area * this->ImportanceFlow.Arriving(id));
+      flux += node.emission * node.area * this->ImportanceFlow.Arriving(id);
     }
   }
   return flux;

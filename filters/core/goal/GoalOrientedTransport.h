@@ -40,9 +40,11 @@ struct GoalOrientedCounters
 /// both in order and in number as importance tells (the combination that the conclusion of Bekaert
 /// and Willems 1995 asks for; dual weighted residuals: Becker and Rannacher 2001).
 ///
-/// The picture is gathered (view/ViewGather.h): lamps are integrated at every pixel and radiance is
-/// looked up one reflection away. So an error of radiance counts as much as the importance that a
-/// surface *receives*, and links from lamps to what the eye sees need not be fine, only known.
+/// The picture is gathered (view/ViewGather.h): lamps are integrated at every pixel, and again at
+/// the surfaces one reflection away, where all other radiance is looked up. So an error of that
+/// counts as much as the importance that a surface *receives*, an error of what lamps give as much
+/// as the importance that it receives over two reflections or more: links from lamps need not be
+/// fine, only known, on what the eye sees and on what lights that.
 class GoalOrientedTransport
 {
 public:
@@ -74,6 +76,8 @@ public:
   const std::vector<Link>& Links() const { return this->AllLinks; }
   const Flow& Radiance() const { return this->RadianceFlow; }
   const Flow& Importance() const { return this->ImportanceFlow; }
+  /// The factor d of a node (RowClosure.h).
+  double ClosureOf(OpenId id) const { return this->Closure[id]; }
   const GoalOrientedCounters& Counters() const { return this->Counts; }
   std::size_t Bytes() const;
 

@@ -18,17 +18,18 @@ struct LinkErrors
 };
 
 /// The error that a gathered picture has from its solution, as the sum of the absolute errors of
-/// its pixels. Four kinds, by how they add up:
+/// its pixels. Its parts, by how they add up:
 ///
-/// - What a few rays and points cannot know of a throughput is random, and independent from link to
-///   link: squares add.
+/// - What a few rays cannot know of the throughput of two surfaces is random, and independent from
+///   link to link: squares add.
+/// - What cluster links do not know is of one sign: radiance and importance both lie where the view
+///   is, and their means over clusters say less than that. So these parts add up as they are, and
+///   with them the lamps in clusters, which light what the eye sees without being known by name.
 /// - That radiance, or importance, varies within an end where the kernel or the visibility vary as
-///   well has the same sign for all links of that end: mean(L P) is not mean(L) mean(P). So these
-///   add up over the links of a node, at either end, and their squares over the nodes.
-/// - Lamps in clusters light what the eye sees without being known by name: as a mean over the
-///   surface, without shadows. Each errs in other pixels, so absolute values add.
+///   well has the same sign for all links of that end: mean(L P) is not mean(L) mean(P). These add
+///   up over the links of a node, at either end; over the nodes partly so, and partly as squares.
 ///
-/// The factors were measured: see Calibration in the source. O(links + nodes).
+/// The factors were measured: see the source. O(links + nodes).
 LinkErrors EstimateLinkErrors(const OpenTree& tree, const std::vector<Link>& links,
   const Flow& radiance, const Flow& importance);
 

@@ -71,6 +71,7 @@ void OpenTree::SetOptics(std::vector<PatchOptics> optics)
   {
     this->Measure(node);
   }
+  this->SumEmissionInView();
 }
 
 void OpenTree::SetView(std::vector<ViewSample> samples)
@@ -83,6 +84,16 @@ void OpenTree::SetView(std::vector<ViewSample> samples)
   for (OpenId id = 0; id < this->Size(); ++id)
   {
     this->HandDownSamples(id);
+  }
+  this->SumEmissionInView();
+}
+
+void OpenTree::SumEmissionInView()
+{
+  this->SeenEmission = Color(0.0);
+  for (const ViewSample& sample : this->Samples)
+  {
+    this->SeenEmission += sample.weight * this->Surfaces[sample.patch].emission;
   }
 }
 

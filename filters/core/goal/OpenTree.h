@@ -71,6 +71,8 @@ public:
   const ElementTree& Tree() const { return this->Elements; }
   const PatchOrder& Patches() const { return this->Order; }
   const std::vector<PatchOptics>& Optics() const { return this->Surfaces; }
+  /// Emission that the view sees, times its solid angle: sum of V E A over the patches.
+  const Color& EmissionInView() const { return this->SeenEmission; }
   std::uint64_t ProbeRays() const { return this->Rays; }
   std::size_t Bytes() const;
 
@@ -79,6 +81,7 @@ private:
   void Measure(OpenNode& node) const;
   void Probe(OpenNode& node);
   void HandDownSamples(OpenId id);
+  void SumEmissionInView();
   double ViewRmsOfSurface(const OpenNode& node) const;
   void WeighView(OpenNode& node, std::uint32_t firstSample, std::uint32_t lastSample) const;
 
@@ -88,6 +91,7 @@ private:
   PatchOrder Order;
   std::vector<OpenNode> Nodes;
   std::vector<ViewSample> Samples; ///< those of a node follow each other
+  Color SeenEmission{ 0.0 };
   std::uint64_t Rays = 0;
 };
 

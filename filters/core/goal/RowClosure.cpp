@@ -11,8 +11,27 @@ namespace
 
 constexpr int MostIterations = 8;
 constexpr double Tolerance = 1e-5;
-constexpr double SmallestFactor = 0.6;
+constexpr double SmallestFactor = 0.02;
 constexpr double LargestFactor = 1.6;
+
+/// What a row may sum up to.
+struct Range
+{
+  double least;
+  double most;
+};
+
+/// Of a surface, what the probes say. Nobody has counted what escapes from a cluster.
+Range RangeOf(const OpenNode& node)
+{
+  if (node.IsCluster())
+  {
+    return { 0.0, Pi };
+  }
+  const double seen = 1.0 - node.escaped;
+  return { Pi * std::max(0.0, seen - node.escapeError),
+    Pi * std::min(1.0, seen + node.escapeError) };
+}
 
 /// The sums over links of F_ik d_k for every leaf i.
 std::vector<double> RowSums(
@@ -66,16 +85,16 @@ void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector
     for (OpenId id = 0; id < tree.Size(); ++id)
     {
       const OpenNode& node = tree[id];
-      if (!node.IsLeaf() || node.IsCluster() || !(sums[id] > 0.0))
+      if (!node.IsLeaf() || !(sums[id] > 0.0))
       {
         continue;
       }
-      const double seen = 1.0 - node.escaped;
-      const double target = std::clamp(raw[id], Pi * std::max(0.0, seen - node.escapeError),
-        Pi * std::min(1.0, seen + node.escapeError));
+      const Range range = RangeOf(node);
+      const double target = std::clamp(raw[id], range.least, range.most);
+      const double largest = node.IsCluster() ? 1.0 : LargestFactor;
       // The square root takes half a step, as the other ends move as well.
       const double factor =
-        std::clamp(std::sqrt(closure[id] * target / sums[id]), SmallestFactor, LargestFactor);
+        std::clamp(std::sqrt(closure[id] * target / sums[id]), SmallestFactor, largest);
       change = std::max(change, std::abs(factor - closure[id]));
       closure[id] = factor;
     }

@@ -16,7 +16,8 @@ constexpr std::uint32_t RaysToGiveUp = 64;
 struct DirectLight
 {
   std::vector<PatchId> lamps;
-  Color unnamed{ 0.0 }; ///< irradiance, W m^-2
+  Color named{ 0.0 };   ///< irradiance from these as the links have it, W m^-2
+  Color unnamed{ 0.0 }; ///< from others, without closure
 };
 
 class SolutionMaker
@@ -60,18 +61,21 @@ private:
     {
       return;
     }
+    const Color irradiance = link.throughput / this->Tree[to].area * lamp.emission;
     if (lamp.IsCluster())
     {
-      this->Direct[to].unnamed += link.throughput / this->Tree[to].area * lamp.emission;
+      this->Direct[to].unnamed += irradiance;
     }
     else if (link.throughput > 0.0 || link.agreeingRays < RaysToGiveUp)
     {
       this->Direct[to].lamps.push_back(lamp.patch);
+      this->Direct[to].named += this->Transport.ClosureOf(from) * irradiance;
     }
   }
 
   static void Inherit(DirectLight& child, const DirectLight& parent)
   {
+    child.named += parent.named;
     child.unnamed += parent.unnamed;
     child.lamps.insert(child.lamps.end(), parent.lamps.begin(), parent.lamps.end());
     std::sort(child.lamps.begin(), child.lamps.end());
@@ -92,6 +96,8 @@ private:
     }
     else
     {
+      const Color named = node.albedo / Pi * this->Transport.ClosureOf(id) * this->Direct[id].named;
+      element.indirect = glm::max(element.reflected - named, Color(0.0));
       this->NameLamps(element, this->Direct[id].lamps);
     }
     if (node.IsCluster() ? node.IsLeaf() : node.level == 0)

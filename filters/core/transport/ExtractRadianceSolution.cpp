@@ -38,6 +38,25 @@ std::vector<LampList> LampsOfNodes(const Transport& transport)
   return lamps;
 }
 
+/// Irradiance of each node, not of its ancestors, from what emitters have shot: without closure.
+std::vector<Color> EmissionReceived(const Transport& transport)
+{
+  const ElementTree& tree = transport.Tree();
+  std::vector<Color> irradiance(tree.Size(), Color(0.0));
+  for (InteractionId id = 0; id < transport.Graph().Size(); ++id)
+  {
+    const Interaction& link = transport.Graph()[id];
+    for (End end = 0; end < 2; ++end)
+    {
+      const NodeId to = link.ends[end];
+      const Color& emission = transport.OpticsOf(tree[link.ends[Other(end)]].patch).emission;
+      irradiance[to] +=
+        link.throughput / tree[to].area * glm::min(emission, link.shotRadiance[Other(end)]);
+    }
+  }
+  return irradiance;
+}
+
 LampList Union(const LampList& a, const LampList& b)
 {
   LampList all;
@@ -137,6 +156,7 @@ RadianceSolution ExtractRadianceSolution(const Transport& transport)
   solution.SetPatches(tree, optics);
   const LampsOfLeaves lamps(transport);
   LampRanges ranges(solution.lamps);
+  std::vector<Color> direct = EmissionReceived(transport);
   solution.elements.resize(tree.Size());
   for (NodeId id = 0; id < tree.Size(); ++id)
   {
@@ -154,8 +174,14 @@ RadianceSolution ExtractRadianceSolution(const Transport& transport)
     {
       solution.elementOfPatch[node.patch] = id;
     }
+    if (node.level > 0)
+    {
+      direct[id] += direct[node.parent];
+    }
     if (node.IsLeaf())
     {
+      const Color named = optics[node.patch].albedo / Pi * transport.ClosureWeight(id) * direct[id];
+      element.indirect = glm::max(element.reflected - named, Color(0.0));
       const LampList list = lamps.Of(id);
       element.firstLamp = ranges.FirstOf(list);
       element.lastLamp = element.firstLamp + static_cast<std::uint32_t>(list.size());

@@ -46,7 +46,7 @@ private:
 ///
 /// Light that comes straight from a lamp is known twice. It is part of `reflected`, as coarse as
 /// the elements are; and each element names the lamps it comes from, so that who wants it exactly
-/// can compute it at a point and leave the emission of what the point sees out.
+/// can compute it at a point and add it to `indirect`, what is left of `reflected` without it.
 struct RadianceSolution
 {
   using NodeIndex = std::uint32_t;
@@ -55,6 +55,8 @@ struct RadianceSolution
   struct Element
   {
     Color reflected{ 0.0 }; ///< radiance without own emission, mean over it, W m^-2 sr^-1
+    /// The part of it that does not come straight from named lamps. Of leaves only.
+    Color indirect{ 0.0 };
     /// Irradiance from lamps that are too far or too faint to be named, W m^-2. Of leaves only.
     Color unnamedDirect{ 0.0 };
     NodeIndex firstChild = None;
@@ -80,13 +82,6 @@ struct RadianceSolution
   /// The leaf element of a patch that holds a point of it; a point outside goes to one near the
   /// border. \pre the patch is active. A few nanoseconds a level.
   NodeIndex LeafAt(PatchId patch, const Vec3& point) const;
-
-  /// Radiance that leaves a patch at a point without its own emission; (0,0,0) on an inactive side.
-  Color ReflectedAt(PatchId patch, const Vec3& point) const
-  {
-    return this->IsActive(patch) ? this->elements[this->LeafAt(patch, point)].reflected
-                                 : Color(0.0);
-  }
 
   std::size_t Bytes() const;
 };

@@ -220,6 +220,11 @@ double Transport::ViewImportance(NodeId node) const
   return this->View.Value(this->TheTree, node);
 }
 
+double Transport::ClosureWeight(NodeId leaf) const
+{
+  return this->RadianceField.Weight(leaf);
+}
+
 Color Transport::ViewFluxOfRadiance() const
 {
   Color flux(0.0);

@@ -89,6 +89,7 @@ public:
   Color ReceivedImportance(NodeId node) const;  ///< P - V, sr m^-2
   Color ReflectedImportance(NodeId node) const; ///< Y = rho P, m^-2
   double ViewImportance(NodeId node) const;     ///< V, sr m^-2
+  double ClosureWeight(NodeId leaf) const;      ///< of what it receives (Closure.h)
   ///@}
 
   /// Estimate of the view flux from below, <V, Ls> + <P, r> over the expanded patches. Shooting

@@ -15,13 +15,13 @@ constexpr double NoiseOfWhole = 0.8;
 
 } // namespace
 
-HemisphereEstimate GatherHemisphere(const OccluderScene& occluders,
-  const RadianceSolution& solution, PatchId patch, const Vec3& point, const Vec3& normal,
-  std::uint32_t rays, std::uint64_t seed)
+HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
+  PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed)
 {
   const Frame frame(normal);
   const std::uint32_t facet = patch / 2;
   const std::uint32_t half = rays / 2;
+  HemisphereEstimate estimate;
   Color sum(0.0);
   Color sumOfHalf(0.0);
   for (std::uint32_t i = 0; i < rays; ++i)
@@ -29,20 +29,35 @@ HemisphereEstimate GatherHemisphere(const OccluderScene& occluders,
     const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
     if (const auto hit = occluders.Intersect(point, direction, facet))
     {
-      sum += solution.ReflectedAt(hit->Patch(), hit->point);
+      sum += surfaces.Radiance(*hit, i, Hash(seed, 1), estimate.shadowRays);
     }
     if (i + 1 == half)
     {
       sumOfHalf = sum;
     }
   }
-  HemisphereEstimate estimate;
   estimate.irradiance = sum * (Pi / rays);
   // Half the difference of the halves is the difference between one of them and the whole.
   estimate.noise = half > 0
                      ? NoiseOfWhole * Mean(glm::abs(sumOfHalf * (Pi / half) - estimate.irradiance))
                      : Mean(estimate.irradiance);
   return estimate;
+}
+
+std::vector<Hit> HitsAround(const OccluderScene& occluders, PatchId patch, const Vec3& point,
+  const Vec3& normal, std::uint32_t rays, std::uint64_t seed)
+{
+  const Frame frame(normal);
+  std::vector<Hit> hits;
+  for (std::uint32_t i = 0; i < rays; ++i)
+  {
+    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
+    if (const auto hit = occluders.Intersect(point, direction, patch / 2))
+    {
+      hits.push_back(*hit);
+    }
+  }
+  return hits;
 }
 
 } // namespace vantage

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/transport/RadianceSolution.h"
-#include "core/visibility/OccluderScene.h"
+#include "core/view/LitSurfaces.h"
 
 #include <cstdint>
+#include <vector>
 
 /// \file HemisphereGather.h
 /// Indirect light at a point, by rays.
@@ -15,19 +15,21 @@ struct HemisphereEstimate
 {
   Color irradiance{ 0.0 }; ///< W m^-2
   double noise = 0.0;      ///< guess at the standard error, mean of channels; see below
+  std::uint64_t shadowRays = 0;
 };
 
-/// Irradiance at a point from the reflected radiance of all that it sees: `rays` directions of a
-/// scrambled Sobol sequence, distributed by the cosine. What the rays hit does not emit here, since
-/// lamps are counted one by one. A ray that meets nothing or an inactive side brings nothing.
-/// The two halves of the sequence are good estimates by themselves; the noise is guessed from their
-/// difference, so it means something only in the mean over many points.
-/// \param patch that the point lies on, active
-/// \param normal of the patch, unit
-/// \param rays >= 1; a power of two is spread best
-/// Unbiased over the seeds. O(rays log n).
-HemisphereEstimate GatherHemisphere(const OccluderScene& occluders,
-  const RadianceSolution& solution, PatchId patch, const Vec3& point, const Vec3& normal,
-  std::uint32_t rays, std::uint64_t seed);
+/// Irradiance at a point from the reflected radiance of all that it sees (LitSurfaces.h): `rays`
+/// directions of a scrambled Sobol sequence, distributed by the cosine. What the rays hit does not
+/// emit here, since lamps are counted one by one. A ray that meets nothing or an inactive side
+/// brings nothing. The two halves of the sequence are good estimates by themselves; the noise is
+/// guessed from their difference, so it means something only in the mean over many points. \param
+/// patch that the point lies on, active \param normal of the patch, unit \param rays >= 1; a power
+/// of two is spread best Unbiased over the seeds. O(rays log n).
+HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
+  PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
+
+/// What so many of these rays meet.
+std::vector<Hit> HitsAround(const OccluderScene& occluders, PatchId patch, const Vec3& point,
+  const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
 
 } // namespace vantage

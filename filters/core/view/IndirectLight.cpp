@@ -3,6 +3,7 @@
 #include "core/math/Sampling.h"
 #include "core/view/HemisphereGather.h"
 #include "core/view/IndirectSurface.h"
+#include "core/view/SecondLook.h"
 #include "core/view/SpotPlanes.h"
 
 #include <tbb/parallel_for.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace vantage
@@ -25,6 +27,13 @@ constexpr double RaysAtOnePercent = 72.0;
 constexpr double RaysExponent = 1.33;
 constexpr std::uint32_t LeastRays = 16;
 constexpr std::uint32_t MostRays = 4096;
+/// Rays of each point that find what counts.
+constexpr std::uint32_t RaysAround = 8;
+/// Of what these meet, the looks together take so many rays that the error of their mean is a part
+/// of the one that is asked for: the relative noise of a ray over that error, squared.
+constexpr double NoiseOfLook = 0.5;
+constexpr double LeastRaysOfHit = 2.0;
+constexpr double MostRaysOfHit = 256.0;
 /// Part of the error that may come from the interpolation: to start with, and in the end, if the
 /// estimate of the whole is not met before.
 constexpr double ShareOfModel = 0.4;
@@ -52,6 +61,7 @@ public:
     const std::vector<IndirectSpot>& spots, const IndirectSettings& settings)
     : Occluders(&occluders)
     , Solution(&solution)
+    , Lit(occluders, solution)
     , Spots(&spots)
     , Settings(settings)
     , Surfaces(SurfacesOf(occluders, spots, MostSpots))
@@ -63,6 +73,7 @@ public:
 
   std::vector<Color> Run(IndirectReport& report)
   {
+    this->LookAround(report);
     for (int round = 0; round <= MostRounds; ++round)
     {
       this->Measure(report);
@@ -98,8 +109,14 @@ private:
       std::size_t(0), this->Surfaces.size(), [&](std::size_t s) { action(this->Surfaces[s]); });
   }
 
+  void LookAround(IndirectReport& report);
   void Measure(IndirectReport& report);
-  void MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const;
+  std::uint64_t MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const;
+  Vec3 NormalOf(PatchId patch) const
+  {
+    const Vec3 front = UnitNormal(this->Occluders->Shape(patch / 2));
+    return patch % 2 == 0 ? front : -front;
+  }
   double ErrorToCut() const;
   bool Doubt();
   bool Refine(double goal);
@@ -107,6 +124,7 @@ private:
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
+  LitSurfaces Lit;
   const std::vector<IndirectSpot>* Spots;
   IndirectSettings Settings;
   std::vector<IndirectSurface> Surfaces;
@@ -115,6 +133,40 @@ private:
   double UsualWeight = 0.0; ///< of the cells to start with
 };
 
+/// Finds what counts for the spots, by a few rays from each, and betters what is known of that.
+void IndirectGatherer::LookAround(IndirectReport& report)
+{
+  std::vector<std::uint32_t> points;
+  for (const IndirectSurface& surface : this->Surfaces)
+  {
+    for (const IndirectSurface::Cell& cell : surface.Cells())
+    {
+      points.push_back(surface.Spot(cell.point).index);
+    }
+  }
+  std::vector<std::vector<Hit>> around(points.size());
+  tbb::parallel_for(std::size_t(0), points.size(),
+    [&](std::size_t k)
+    {
+      const IndirectSpot& spot = (*this->Spots)[points[k]];
+      around[k] = HitsAround(*this->Occluders, spot.patch, spot.point, this->NormalOf(spot.patch),
+        RaysAround, Hash(this->Settings.seed, points[k], 1));
+    });
+  std::vector<Hit> hits;
+  for (const std::vector<Hit>& some : around)
+  {
+    std::copy_if(some.begin(), some.end(), std::back_inserter(hits),
+      [this](const Hit& hit) { return this->Solution->IsActive(hit.Patch()); });
+  }
+  const double looks = std::pow(NoiseOfLook / this->Settings.error, 2);
+  const double ofHit =
+    std::clamp(std::ceil(looks / (hits.size() + 1.0)), LeastRaysOfHit, MostRaysOfHit);
+  const SecondLookCounts counts = LookAgain(*this->Occluders, *this->Solution, hits,
+    static_cast<std::uint32_t>(ofHit), Hash(this->Settings.seed, 2), this->Lit);
+  report.gatherRays += points.size() * RaysAround + counts.rays;
+  report.shadowRays += counts.shadowRays;
+}
+
 /// Gathers at the points of all cells that have not been measured.
 void IndirectGatherer::Measure(IndirectReport& report)
 {
@@ -122,6 +174,7 @@ void IndirectGatherer::Measure(IndirectReport& report)
   {
     IndirectSurface::Cell* cell;
     std::uint32_t spot;
+    std::uint64_t shadowRays = 0;
   };
   std::vector<Task> tasks;
   double weight = 0.0;
@@ -131,7 +184,7 @@ void IndirectGatherer::Measure(IndirectReport& report)
     {
       if (cell.samples == 0)
       {
-        tasks.push_back({ &cell, surface.Spot(cell.point).index });
+        tasks.push_back({ &cell, surface.Spot(cell.point).index, 0 });
         weight += cell.weight;
       }
     }
@@ -141,26 +194,27 @@ void IndirectGatherer::Measure(IndirectReport& report)
     this->UsualWeight = weight / static_cast<double>(tasks.size());
   }
   tbb::parallel_for(std::size_t(0), tasks.size(),
-    [&](std::size_t k) { this->MeasureAt(*tasks[k].cell, tasks[k].spot); });
+    [&](std::size_t k) { tasks[k].shadowRays = this->MeasureAt(*tasks[k].cell, tasks[k].spot); });
   report.gatherPoints += tasks.size();
   for (const Task& task : tasks)
   {
     report.gatherRays += task.cell->samples;
+    report.shadowRays += task.shadowRays;
   }
 }
 
-void IndirectGatherer::MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const
+/// Returns the shadow rays that it took.
+std::uint64_t IndirectGatherer::MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const
 {
   const IndirectSpot& spot = (*this->Spots)[index];
-  const Vec3 front = UnitNormal(this->Occluders->Shape(spot.patch / 2));
-  const Vec3 normal = spot.patch % 2 == 0 ? front : -front;
   // What few pixels see need not be as exact.
   const bool isSmall = cell.weight < SmallCell * this->UsualWeight;
   cell.samples = cell.effort * (isSmall ? this->Rays / 4 : this->Rays);
-  const HemisphereEstimate estimate = GatherHemisphere(*this->Occluders, *this->Solution,
-    spot.patch, spot.point, normal, cell.samples, Hash(this->Settings.seed, index));
+  const HemisphereEstimate estimate = GatherHemisphere(*this->Occluders, this->Lit, spot.patch,
+    spot.point, this->NormalOf(spot.patch), cell.samples, Hash(this->Settings.seed, index));
   cell.value = estimate.irradiance;
   cell.noise = estimate.noise;
+  return estimate.shadowRays;
 }
 
 /// Asks for more rays where the noise is far above the usual one: where light comes through a small

@@ -31,8 +31,9 @@ struct IndirectReport
 {
   std::uint64_t gatherPoints = 0;
   std::uint64_t gatherRays = 0;
-  double error = 0.0; ///< estimate of the sum of weight times error
-  double sum = 0.0;   ///< of weight times irradiance, mean of channels
+  std::uint64_t shadowRays = 0; ///< from what these met to the lamps
+  double error = 0.0;           ///< estimate of the sum of weight times error
+  double sum = 0.0;             ///< of weight times irradiance, mean of channels
 };
 
 /// Irradiance at the spots from the light that surfaces reflect, W m^-2. Gathered by rays at some

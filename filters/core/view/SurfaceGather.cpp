@@ -175,6 +175,7 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
   result.error = total > 0.0 ? report.error / total : 0.0;
   result.counts.gatherPoints = report.gatherPoints;
   result.counts.gatherRays = report.gatherRays;
+  result.counts.hitShadowRays = report.shadowRays;
   result.counts.indirectSeconds = watch.Lap();
   return result;
 }

@@ -26,6 +26,7 @@ struct GatherCounts
   DirectCounters direct;
   std::uint64_t gatherPoints = 0;
   std::uint64_t gatherRays = 0;
+  std::uint64_t hitShadowRays = 0; ///< from what these met to the lamps
   double directSeconds = 0.0;
   double indirectSeconds = 0.0;
 };

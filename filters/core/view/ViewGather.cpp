@@ -178,6 +178,7 @@ void Gather::LightIndirectly()
   GatherReport& report = this->View.report;
   report.gatherPoints = result.counts.gatherPoints;
   report.gatherRays = result.counts.gatherRays;
+  report.hitShadowRays = result.counts.hitShadowRays;
   report.errorEstimate = result.error;
 }
 

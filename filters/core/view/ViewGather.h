@@ -41,6 +41,7 @@ struct GatherReport
   std::uint64_t shadowRays = 0;
   std::uint64_t gatherPoints = 0;
   std::uint64_t gatherRays = 0;
+  std::uint64_t hitShadowRays = 0; ///< from what these met to the lamps
   double errorEstimate = 0.0; ///< relative L1 error that the gather added, noise and interpolation
   double primarySeconds = 0.0;
   double directSeconds = 0.0;

@@ -13,7 +13,7 @@ namespace vantage
 namespace
 {
 
-constexpr double Smallest = 0.6;
+constexpr double Smallest = 0.02;
 constexpr double Largest = 1.6;
 
 /// d_i sum_k F_ik d_k of every leaf.
@@ -107,7 +107,7 @@ void ExpectClosed(const Rounds& rounds)
   {
     if (tree[leaf].IsCluster())
     {
-      EXPECT_EQ(closure[leaf], 1.0);
+      EXPECT_LE(closure[leaf], 1.0);
       continue;
     }
     if (!tree[leaf].IsExposed())
@@ -156,21 +156,29 @@ TEST(RowClosure, RowsOfClosedRoomsWithFurnitureAreComplete)
   }
 }
 
-TEST(RowClosure, ClustersThatNobodyLookedIntoAreNotScaled)
+TEST(RowClosure, ClustersThatNobodyLookedIntoSeeNoMoreThanAHemisphere)
 {
-  const Rounds room(test::MakeFurnishedRoom(), 6);
-  const std::vector<double> closure = room.Closure();
   int clusters = 0;
-  int scaled = 0;
-  for (const OpenId leaf : test::LeavesOf(room.transport.Tree()))
+  int reduced = 0;
+  for (int rounds = 0; rounds <= 6; ++rounds)
   {
-    const bool isCluster = room.transport.Tree()[leaf].IsCluster();
-    clusters += isCluster ? 1 : 0;
-    scaled += !isCluster && closure[leaf] != 1.0 ? 1 : 0;
-    EXPECT_TRUE(!isCluster || closure[leaf] == 1.0) << "node " << leaf;
+    const Rounds room(test::MakeFurnishedRoom(), rounds);
+    const OpenTree& tree = room.transport.Tree();
+    const std::vector<double> closure = room.Closure();
+    const std::vector<double> rows = ClosedRows(tree, room.transport.Links(), closure);
+    for (const OpenId leaf : test::LeavesOf(tree))
+    {
+      if (tree[leaf].IsCluster())
+      {
+        ++clusters;
+        reduced += closure[leaf] < 1.0 ? 1 : 0;
+        EXPECT_LE(closure[leaf], 1.0) << "node " << leaf;
+        EXPECT_LE(rows[leaf], Pi * (1.0 + 1e-3)) << "node " << leaf;
+      }
+    }
   }
-  EXPECT_GT(clusters, 0);
-  EXPECT_GT(scaled, 0);
+  EXPECT_GT(clusters, reduced);
+  EXPECT_GT(reduced, 0);
 }
 
 TEST(RowClosure, RowsOfAnOpenBoxAreWhatTheProbesSay)
@@ -254,7 +262,7 @@ TEST(RowClosure, WrongRowsOfAnOpenBoxAreBroughtToTheBorderOfWhatIsKnown)
 TEST(RowClosure, FactorsStayWithinTheirBounds)
 {
   OpenBoxLinks box;
-  for (const double scale : { 0.05, 20.0 })
+  for (const double scale : { 0.05, 1e4 })
   {
     std::vector<Link> links = box.links;
     for (Link& link : links)

@@ -212,8 +212,9 @@ TEST(DirectLight, LampsInOddPlacesShineWhereTheyShould)
   scene.AddPolygon({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } }, white);
   // In the plane of the floor's continuation, facing up.
   scene.AddPolygon({ { 1, -1, 0 }, { 2, -1, 0 }, { 2, 1, 0 }, { 1, 1, 0 } }, lamp);
-  // Upright, half below the floor, facing -x.
-  scene.AddPolygon({ { 3, -1, -1 }, { 3, -1, 1 }, { 3, 1, 1 }, { 3, 1, -1 } }, lamp);
+  // Upright, half below the floor, facing -x; it reflects nothing.
+  scene.AddPolygon({ { 3, -1, -1 }, { 3, -1, 1 }, { 3, 1, 1 }, { 3, 1, -1 } },
+    AddMaterial(scene, Color(0.0), Color(4.0)));
   const GatherStage stage(scene, [](PatchId) { return Color(0.0); });
   const Camera camera = test::CameraAt({ 0.0, -0.1, 2.0 }, { 0.0, 0.0, 0.0 }, 10.0);
   const Color pixel = stage.Gather(camera, Pixels(1, 1, true)).radiance.At(0, 0);

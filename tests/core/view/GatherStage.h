@@ -21,8 +21,9 @@ struct GatherStage
   ElementTree tree;
   RadianceSolution solution;
 
-  /// \param reflected radiance of a patch without its emission
-  GatherStage(const Scene& givenScene, const std::function<Color(PatchId)>& reflected)
+  /// \param indirect radiance of a patch, without its emission and without what it reflects of the
+  /// lamps
+  GatherStage(const Scene& givenScene, const std::function<Color(PatchId)>& indirect)
     : scene(givenScene)
     , facets(BuildFacets(this->scene))
     , occluders(this->facets)
@@ -43,7 +44,7 @@ struct GatherStage
       {
         RadianceSolution::Element element;
         element.node = this->tree.Patches()[p].node;
-        element.reflected = reflected(p);
+        element.indirect = indirect(p);
         element.lastLamp = static_cast<std::uint32_t>(this->solution.lamps.size());
         this->solution.elementOfPatch[p] =
           static_cast<std::uint32_t>(this->solution.elements.size());

@@ -39,7 +39,6 @@ RadianceSolution SolutionOf(const ElementTree& tree, const std::vector<PatchOpti
     {
       solution.elements[id].firstChild = tree[id].firstChild;
       solution.elements[id].childCount = tree[id].childCount;
-      solution.elements[id].reflected = Color(id);
     }
   }
   for (PatchId p = 0; p < tree.Patches().size(); ++p)
@@ -71,21 +70,19 @@ TEST(RadianceSolution, FindsTheLeavesOfTheElementTree)
     const Vec3 point = PointAt(tree.Shape(root), random.Next2());
     const NodeId leaf = tree.LeafContaining(root, point);
     ASSERT_EQ(solution.LeafAt(patch, point), leaf) << "point " << i << " on patch " << patch;
-    ASSERT_EQ(solution.ReflectedAt(patch, point), Color(leaf));
     deep += tree[leaf].level > 2 ? 1 : 0;
   }
   EXPECT_GT(deep, 5000);
 }
 
-TEST(RadianceSolution, AnInactiveSideReflectsNothing)
+TEST(RadianceSolution, AnInactiveSideHasNoElements)
 {
   Scene scene;
   const std::uint32_t oneSided = AddMaterial(scene, Color(0.5), Color(0.0), false);
   scene.AddPolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, oneSided);
   const test::GatherStage stage(scene, [](PatchId) { return Color(3.0); });
-  EXPECT_EQ(stage.solution.ReflectedAt(0, { 0.2, 0.2, 0.0 }), Color(3.0));
+  EXPECT_TRUE(stage.solution.IsActive(0));
   EXPECT_FALSE(stage.solution.IsActive(1));
-  EXPECT_EQ(stage.solution.ReflectedAt(1, { 0.2, 0.2, 0.0 }), Color(0.0));
 }
 
 /// Two rooms without a door, a lamp in each.

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/transport/RadianceSolution.h"
+#include "core/visibility/OccluderScene.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file LitSurfaces.h
+/// What a surface that a ray has met sends back.
+
+namespace vantage
+{
+
+/// Radiance of surfaces without their own emission, at points that rays find. Light of the named
+/// lamps is computed at the point: closed form, times one shadow ray to each; from more than
+/// `MostLamps` so many are drawn, the more often the more they are likely to give. The rest, what
+/// reached the surface by reflections, is taken from the element. So elements need not be fine
+/// enough for the shadows and spots that lamps make.
+/// Refers to occluders and solution, which must outlive it. O(lamps) to make.
+class LitSurfaces
+{
+public:
+  static constexpr std::uint32_t MostLamps = 8;
+
+  LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution);
+
+  /// An estimate, W m^-2 sr^-1. Its mean over seeds is the visible fraction of a lamp times the
+  /// whole of it, which is right but where a lamp as close as its own size is hidden in part: this
+  /// is what noise in rooms that a lamp does not reach would cost. (0,0,0) on an inactive side.
+  /// `index` and `seed` name the sample; those of one seed are spread well. Adds to `shadowRays`
+  /// what it traces. Pure.
+  Color Radiance(
+    const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
+
+  /// Another value for RadianceSolution::Element::indirect of a leaf.
+  void SetIndirect(RadianceSolution::NodeIndex leaf, const Color& radiance)
+  {
+    this->Indirect[leaf] = radiance;
+  }
+
+private:
+  struct Lamp
+  {
+    Polygon shape;
+    Vec3 centre;
+    Vec3 normal;
+    double area;
+    std::uint32_t facet;
+    Color emission;
+  };
+
+  /// A point that lamps may shine on.
+  struct LitPoint
+  {
+    SurfacePoint place;
+    Vec3 normal;
+  };
+
+  double Likely(const Lamp& lamp, const LitPoint& point) const;
+  double Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
+    std::uint64_t& shadowRays) const;
+  Color FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,
+    std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
+
+  const OccluderScene* Occluders;
+  const RadianceSolution* Solution;
+  std::vector<Color> Indirect; ///< of each element
+  std::vector<Lamp> Lamps;
+  std::vector<std::uint32_t> LampOfEntry; ///< of each entry of RadianceSolution::lamps
+};
+
+} // namespace vantage
