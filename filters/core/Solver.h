@@ -57,8 +57,8 @@ struct Budget
 
 /// Of the error of a picture, the parts that are left to the solution and to the gather. Their
 /// squares add up to less than 1: the rest is for what is systematic and no estimate knows.
-inline constexpr double GoalShare = 0.65;
-inline constexpr double GatherShare = 0.45;
+inline constexpr double GoalShare = 0.75;
+inline constexpr double GatherShare = 0.55;
 
 /// What Run() ended for.
 enum class RunEnd

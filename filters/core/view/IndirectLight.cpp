@@ -13,6 +13,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace vantage
 {
@@ -44,13 +45,17 @@ constexpr double LeastShareOfModel = 0.1;
 constexpr double ErrorOfSurprise = 0.6;
 /// Part of the error of a cell that goes when it is cut.
 constexpr double GainOfCut = 0.6;
+/// Part of the error that may be noise, and part of the noise of a cell that four times the rays
+/// take away.
+constexpr double NoiseShare = 0.9;
+constexpr double GainOfEffort = 0.6;
 /// Cells with less than this part of the usual weight get a quarter of the rays.
 constexpr double SmallCell = 0.02;
 /// Relative noise of a point, over the error asked for, from which it gets more rays, unless it
 /// cannot be seen anyway; and how many times more at most.
 constexpr double MostNoise = 8.0;
 constexpr double InvisibleNoise = 0.03;
-constexpr std::uint32_t MostEffort = 16;
+constexpr std::uint32_t MostEffort = 64;
 constexpr int MostRounds = 8;
 
 /// Gathers at the points of all planes and refines them.
@@ -89,7 +94,7 @@ public:
       {
         break;
       }
-      const bool isDoubtful = this->Doubt();
+      const bool isDoubtful = this->Doubt(NoiseShare * wanted / ErrorOfSurprise);
       const bool isCut = this->Refine(this->Share * wanted);
       if (!isDoubtful && !isCut)
       {
@@ -118,7 +123,7 @@ private:
     return patch % 2 == 0 ? front : -front;
   }
   double ErrorToCut() const;
-  bool Doubt();
+  bool Doubt(double goal);
   bool Refine(double goal);
   void Summarise(IndirectReport& report) const;
 
@@ -217,15 +222,40 @@ std::uint64_t IndirectGatherer::MeasureAt(IndirectSurface::Cell& cell, std::uint
   return estimate.shadowRays;
 }
 
-/// Asks for more rays where the noise is far above the usual one: where light comes through a small
-/// opening. Such places are dark, so they count little, but they would look blotchy.
-bool IndirectGatherer::Doubt()
+/// What is worst first, until the sum is down to the goal, when each that is mended loses the part
+/// `gain` of itself: the least that has to be mended.
+double LimitToReach(double goal, double gain, std::vector<double> errors)
 {
+  double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+  std::sort(errors.begin(), errors.end(), std::greater<double>());
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < errors.size() && sum > goal; ++k)
+  {
+    sum -= gain * errors[k];
+    limit = errors[k];
+  }
+  return limit;
+}
+
+/// Asks for more rays where noise is too much for the goal, and where it is far above the usual
+/// one: where light comes through a small opening. Such places are dark, so they count little, but
+/// they would look blotchy.
+bool IndirectGatherer::Doubt(double goal)
+{
+  std::vector<double> noise;
+  for (const IndirectSurface& surface : this->Surfaces)
+  {
+    for (const IndirectSurface::Cell& cell : surface.Cells())
+    {
+      noise.push_back(cell.weight * cell.noiseAround);
+    }
+  }
+  const double limit = LimitToReach(goal, GainOfEffort, std::move(noise));
   std::size_t doubtful = 0;
   for (IndirectSurface& surface : this->Surfaces)
   {
     doubtful +=
-      surface.Doubt(std::max(MostNoise * this->Settings.error, InvisibleNoise), MostEffort);
+      surface.Doubt(std::max(MostNoise * this->Settings.error, InvisibleNoise), limit, MostEffort);
   }
   return doubtful > 0;
 }
@@ -248,25 +278,18 @@ double IndirectGatherer::ErrorToCut() const
 /// Returns whether any was.
 bool IndirectGatherer::Refine(double goal)
 {
-  double error = 0.0;
   std::vector<double> errors;
   for (const IndirectSurface& surface : this->Surfaces)
   {
     for (const IndirectSurface::Cell& cell : surface.Cells())
     {
       errors.push_back(IndirectSurface::ModelError(cell));
-      error += errors.back();
     }
   }
-  std::sort(errors.begin(), errors.end(), std::greater<double>());
-  double limit = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < errors.size() && error > goal; ++k)
-  {
-    error -= GainOfCut * errors[k];
-    limit = errors[k];
-  }
+  const double cells = static_cast<double>(errors.size());
+  double limit = LimitToReach(goal, GainOfCut, std::move(errors));
   // Where none is much worse than the others, more of all of them is no cure.
-  limit = std::max(limit, goal / static_cast<double>(errors.size()));
+  limit = std::max(limit, goal / cells);
   std::size_t cuts = 0;
   for (IndirectSurface& surface : this->Surfaces)
   {

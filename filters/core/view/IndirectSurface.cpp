@@ -30,7 +30,7 @@ constexpr double NoiseMargin = 1.25;
 constexpr double WeightOfPlane = 1.5;
 constexpr double LeastWeightToJudge = 1.75;
 /// Cells with fewer spots are not cut.
-constexpr std::uint32_t LeastSpots = 8;
+constexpr std::uint32_t LeastSpots = 2;
 
 double Falloff(double squaredDistance, double squaredReach)
 {
@@ -380,12 +380,13 @@ std::size_t IndirectSurface::Refine(double limit)
   return cuts;
 }
 
-std::size_t IndirectSurface::Doubt(double relativeNoise, std::uint32_t mostEffort)
+std::size_t IndirectSurface::Doubt(double relativeNoise, double noise, std::uint32_t mostEffort)
 {
   std::size_t doubtful = 0;
   for (Cell& cell : this->Leaves)
   {
-    if (cell.effort < mostEffort && cell.noiseAround > relativeNoise * Mean(cell.value))
+    if (cell.effort < mostEffort && (cell.noiseAround > relativeNoise * Mean(cell.value) ||
+                                      cell.weight * cell.noiseAround >= noise))
     {
       cell.effort *= 4;
       cell.samples = 0;

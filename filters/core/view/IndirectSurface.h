@@ -69,8 +69,9 @@ public:
   std::size_t Refine(double limit);
 
   /// Wants cells to be measured again with four times the effort, up to `mostEffort`, where the
-  /// noise is more than a part of the value. \return how many
-  std::size_t Doubt(double relativeNoise, std::uint32_t mostEffort);
+  /// noise is more than a part of the value, or times the weight not below a limit. \return how
+  /// many
+  std::size_t Doubt(double relativeNoise, double noise, std::uint32_t mostEffort);
 
   /// Values at all spots, written to values[spot.index], on all threads. \pre fitted
   void Evaluate(Color* values) const;

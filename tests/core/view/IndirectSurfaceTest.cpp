@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace vantage
 {
@@ -141,7 +142,7 @@ TEST(IndirectSurface, DoubtfulCellsAreMeasuredAgainWithMoreEffort)
     cell.noise = surface.Spot(cell.point).place.x < 1.5 ? 0.2 : 0.001;
   }
   surface.Fit();
-  const std::size_t doubtful = surface.Doubt(0.1, 16);
+  const std::size_t doubtful = surface.Doubt(0.1, std::numeric_limits<double>::infinity(), 16);
   EXPECT_GT(doubtful, surface.Cells().size() / 4);
   EXPECT_LT(doubtful, surface.Cells().size());
   for (const IndirectSurface::Cell& cell : surface.Cells())
