@@ -1,35 +1,12 @@
 #include "core/goal/Flow.h"
 
+#include "core/goal/RowClosure.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace vantage
 {
-
-namespace
-{
-
-/// Gives every inner node the mean of its leaves.
-void AverageUp(const OpenTree& tree, std::vector<double>& values)
-{
-  for (OpenId id = tree.Size(); id-- > 0;)
-  {
-    const OpenNode& node = tree[id];
-    double sum = 0.0;
-    double area = 0.0;
-    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
-    {
-      area += tree[c].area;
-      sum += tree[c].area * values[c];
-    }
-    if (area > 0.0)
-    {
-      values[id] = sum / area;
-    }
-  }
-}
-
-} // namespace
 
 void Flow::Follow(const OpenTree& tree)
 {
@@ -87,20 +64,7 @@ void Flow::FindStraight(
     }
   }
   AverageUp(tree, weighted);
-  this->Straight.assign(tree.Size(), 0.0);
-  for (const Link& link : links)
-  {
-    const auto [a, b] = link.ends;
-    this->Straight[a] += link.throughput / tree[a].area * weighted[b];
-    if (!link.IsSelf())
-    {
-      this->Straight[b] += link.throughput / tree[b].area * weighted[a];
-    }
-  }
-  for (OpenId id = 1; id < tree.Size(); ++id)
-  {
-    this->Straight[id] += this->Straight[tree[id].parent];
-  }
+  this->Straight = RowSums(tree, links, weighted);
   for (OpenId id = 0; id < tree.Size(); ++id)
   {
     this->Straight[id] *= Mean(tree[id].albedo) / Pi * closure[id];

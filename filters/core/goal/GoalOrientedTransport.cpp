@@ -15,10 +15,11 @@ namespace vantage
 namespace
 {
 
-/// Sweeps end when this part of the last estimate of the error is left to come, or the least one.
+/// Sweeps end when this part of the last estimate of the error is left to come, as far as that is
+/// not above the largest one, or the least tolerance.
 constexpr double SweptPart = 0.02;
-constexpr double LeastTolerance = 5e-4;
 constexpr double LargestEstimate = 0.2;
+constexpr double LeastTolerance = 5e-4;
 constexpr int MostSweeps = 1000;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;

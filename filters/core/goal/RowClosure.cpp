@@ -33,7 +33,8 @@ Range RangeOf(const OpenNode& node)
     Pi * std::min(1.0, seen + node.escapeError) };
 }
 
-/// The sums over links of F_ik d_k for every leaf i.
+} // namespace
+
 std::vector<double> RowSums(
   const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& factors)
 {
@@ -71,8 +72,6 @@ void AverageUp(const OpenTree& tree, std::vector<double>& factors)
     factors[id] = sum / node.area;
   }
 }
-
-} // namespace
 
 void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector<double>& closure)
 {

@@ -24,4 +24,12 @@ namespace vantage
 /// inner nodes are the means of their leaves. O(links + nodes) an iteration, a few.
 void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector<double>& closure);
 
+/// The sums over links of F_ik d_k for every node i, those of its ancestors included, where
+/// `factors` has a d for each open node. O(links + nodes).
+std::vector<double> RowSums(
+  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& factors);
+
+/// Gives every inner node the mean of its leaves, weighted by area. O(nodes).
+void AverageUp(const OpenTree& tree, std::vector<double>& values);
+
 } // namespace vantage

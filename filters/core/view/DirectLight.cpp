@@ -7,17 +7,6 @@
 namespace vantage
 {
 
-namespace
-{
-
-Polygon ShapeOf(const OccluderScene& occluders, PatchId patch)
-{
-  const Polygon& shape = occluders.Shape(patch / 2);
-  return patch % 2 == 0 ? shape : Reversed(shape);
-}
-
-} // namespace
-
 std::vector<Color> DirectLight::At(
   PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const
 {

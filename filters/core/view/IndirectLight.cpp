@@ -117,11 +117,6 @@ private:
   void LookAround(IndirectReport& report);
   void Measure(IndirectReport& report);
   std::uint64_t MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const;
-  Vec3 NormalOf(PatchId patch) const
-  {
-    const Vec3 front = UnitNormal(this->Occluders->Shape(patch / 2));
-    return patch % 2 == 0 ? front : -front;
-  }
   double ErrorToCut() const;
   bool Doubt(double goal);
   bool Refine(double goal);
@@ -154,8 +149,9 @@ void IndirectGatherer::LookAround(IndirectReport& report)
     [&](std::size_t k)
     {
       const IndirectSpot& spot = (*this->Spots)[points[k]];
-      around[k] = HitsAround(*this->Occluders, spot.patch, spot.point, this->NormalOf(spot.patch),
-        RaysAround, Hash(this->Settings.seed, points[k], 1));
+      around[k] =
+        HitsAround(*this->Occluders, spot.patch, spot.point, NormalOf(*this->Occluders, spot.patch),
+          RaysAround, Hash(this->Settings.seed, points[k], 1));
     });
   std::vector<Hit> hits;
   for (const std::vector<Hit>& some : around)
@@ -215,8 +211,9 @@ std::uint64_t IndirectGatherer::MeasureAt(IndirectSurface::Cell& cell, std::uint
   // What few pixels see need not be as exact.
   const bool isSmall = cell.weight < SmallCell * this->UsualWeight;
   cell.samples = cell.effort * (isSmall ? this->Rays / 4 : this->Rays);
-  const HemisphereEstimate estimate = GatherHemisphere(*this->Occluders, this->Lit, spot.patch,
-    spot.point, this->NormalOf(spot.patch), cell.samples, Hash(this->Settings.seed, index));
+  const HemisphereEstimate estimate =
+    GatherHemisphere(*this->Occluders, this->Lit, spot.patch, spot.point,
+      NormalOf(*this->Occluders, spot.patch), cell.samples, Hash(this->Settings.seed, index));
   cell.value = estimate.irradiance;
   cell.noise = estimate.noise;
   return estimate.shadowRays;

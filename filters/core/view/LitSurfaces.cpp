@@ -31,9 +31,8 @@ LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution&
   patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
   for (const PatchId patch : patches)
   {
-    const Polygon& front = occluders.Shape(patch / 2);
     Lamp lamp;
-    lamp.shape = patch % 2 == 0 ? front : Reversed(front);
+    lamp.shape = ShapeOf(occluders, patch);
     lamp.centre = Centroid(lamp.shape);
     lamp.normal = UnitNormal(lamp.shape);
     lamp.area = Area(lamp.shape);
@@ -63,8 +62,7 @@ Color LitSurfaces::Radiance(
   {
     return this->Indirect[leaf];
   }
-  const Vec3 front = UnitNormal(this->Occluders->Shape(hit.facet));
-  const LitPoint point{ { hit.point, hit.facet }, hit.side == Side::Front ? front : -front };
+  const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, patch) };
   Color irradiance(0.0);
   if (element.lastLamp - element.firstLamp > MostLamps)
   {

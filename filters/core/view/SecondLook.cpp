@@ -31,9 +31,8 @@ SecondLookCounts LookAgain(const OccluderScene& occluders, const RadianceSolutio
     [&](std::size_t k)
     {
       const Hit& hit = hits[k];
-      const Vec3 front = UnitNormal(occluders.Shape(hit.facet));
       looks[k] = GatherHemisphere(occluders, surfaces, hit.Patch(), hit.point,
-        hit.side == Side::Front ? front : -front, raysOfHit, Hash(seed, k));
+        NormalOf(occluders, hit.Patch()), raysOfHit, Hash(seed, k));
     });
   SecondLookCounts counts;
   std::vector<Sum> sums(solution.elements.size());

@@ -40,8 +40,7 @@ std::vector<SpotPatch> PatchesOf(
   std::vector<SpotPatch> patches;
   for (const PatchId id : ids)
   {
-    const Polygon& front = occluders.Shape(id / 2);
-    const Polygon shape = id % 2 == 0 ? front : Reversed(front);
+    const Polygon shape = ShapeOf(occluders, id);
     patches.push_back({ id, shape, SupportingPlane(shape) });
   }
   return patches;

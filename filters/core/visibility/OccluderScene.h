@@ -85,4 +85,18 @@ private:
   std::unique_ptr<Implementation> Impl;
 };
 
+/// The facet of a patch, counter-clockwise from the patch's side.
+inline Polygon ShapeOf(const OccluderScene& occluders, PatchId patch)
+{
+  const Polygon& front = occluders.Shape(patch / 2);
+  return patch % 2 == 0 ? front : Reversed(front);
+}
+
+/// Towards the patch's side, unit.
+inline Vec3 NormalOf(const OccluderScene& occluders, PatchId patch)
+{
+  const Vec3 front = UnitNormal(occluders.Shape(patch / 2));
+  return patch % 2 == 0 ? front : -front;
+}
+
 } // namespace vantage

@@ -118,6 +118,23 @@ TEST(GoalOriented, TwoRunsContinueAsOneWouldHaveGone)
   EXPECT_EQ(parts.Elements().radiance, whole.Elements().radiance);
 }
 
+TEST(GoalOriented, APictureIsNotDarkWhereLittleIsReflected)
+{
+  // The first points that are drawn find all of it hidden: that is no estimate to stop at.
+  LabyrinthSettings rooms;
+  rooms.rows = 4;
+  rooms.columns = 5;
+  Scene scene = MakeLabyrinth(rooms);
+  for (Material& material : scene.materials)
+  {
+    material.albedo *= 0.3;
+  }
+  Solver solver = MakeGoalSolver(scene);
+  solver.Run(Error(0.2));
+  EXPECT_GT(solver.Interactions().size(), 100u);
+  EXPECT_GT(Mean(solver.ViewFluxOfRadiance()), 0.0);
+}
+
 TEST(GoalOriented, ACameraMoveKeepsLinksAndRadianceAndGoesOn)
 {
   const Scene scene = test::MakeLitBox();
