@@ -51,14 +51,29 @@ void WriteImages(
   }
 }
 
-void WriteSolution(
-  const RenderOptions& options, const Solver& solver, const std::vector<FrameReport>& frames)
+StepReport LastStep(const Solver& solver)
+{
+  return solver.History().empty() ? StepReport() : solver.History().back();
+}
+
+/// Gathered for the camera, or as they were solved on.
+vtkSmartPointer<vtkPolyData> DrawElements(
+  const RenderOptions& options, const Solver& solver, const Camera& camera)
+{
+  return options.IsGathered()
+           ? ElementsToPolyData(solver.GatherElements(camera, options.ErrorOfElements()),
+               LastStep(solver).errorEstimate)
+           : ElementsToPolyData(solver.Elements());
+}
+
+void WriteSolution(const RenderOptions& options, const Solver& solver, const Camera& camera,
+  const std::vector<FrameReport>& frames)
 {
   for (const std::string& output : options.outputs)
   {
     if (SuffixOf(output) == ".vtp")
     {
-      WritePolyData(ElementsToPolyData(solver.Elements()), output);
+      WritePolyData(DrawElements(options, solver, camera), output);
     }
   }
   if (!options.links.empty())
@@ -82,11 +97,6 @@ double FractionDone(const StepReport& step, const Budget& budget, const StepRepo
   const double byError =
     step.errorEstimate < 1.0 ? std::log(std::max(step.errorEstimate, goal)) / std::log(goal) : 0.0;
   return std::max({ bySteps, byTime, byError });
-}
-
-StepReport LastStep(const Solver& solver)
-{
-  return solver.History().empty() ? StepReport() : solver.History().back();
 }
 
 void Solve(Solver& solver, const RenderOptions& options)
@@ -179,7 +189,7 @@ void RenderWithSolver(const RenderOptions& options, Scene scene, const std::vect
   report.elements = last.elements;
   report.interactions = last.interactions;
   report.work = last.work;
-  WriteSolution(options, solver, report.frames);
+  WriteSolution(options, solver, cameras.back(), report.frames);
 }
 
 void RenderWithPathTracer(

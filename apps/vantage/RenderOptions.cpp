@@ -276,6 +276,12 @@ GatherSettings RenderOptions::MakeGatherSettings(const Camera& camera) const
   return settings;
 }
 
+double RenderOptions::ErrorOfElements() const
+{
+  const double wanted = this->error.value_or(DefaultError);
+  return wanted > 0.0 ? std::min(wanted, 1.0) : DefaultError;
+}
+
 PathTracerSettings RenderOptions::MakePathTracerSettings() const
 {
   PathTracerSettings settings;

@@ -64,6 +64,8 @@ struct RenderOptions
   Budget MakeBudget() const;
   ElementImageSettings MakeImageSettings(const Camera& camera) const;
   GatherSettings MakeGatherSettings(const Camera& camera) const;
+  /// Of a picture that the gathered points of elements give, in (0, 1].
+  double ErrorOfElements() const;
   PathTracerSettings MakePathTracerSettings() const;
   /// The cameras of those names or of the walk, else the first of the scene, changed by --eye and
   /// the like; their aspect ratios are those of the images. At least one. \throw InputError

@@ -40,7 +40,10 @@ public:
 
   virtual const ElementTree& Tree() const = 0;
   virtual double EmittedPower() const = 0;
-  virtual ElementSolution Elements(const FacetSet& facets) const = 0;
+  /// What is known of the leaves of a copy of Tree(), which may be split further, and which
+  /// `surface` shows.
+  virtual ElementSolution Elements(
+    const FacetSet& facets, ElementTree elements, ElementSurface surface) const = 0;
   virtual std::vector<InteractionRecord> Interactions() const = 0;
   virtual RadianceSolution Radiance() const = 0;
   virtual Color ViewFluxOfRadiance() const = 0;

@@ -93,9 +93,10 @@ double GoalOrientedEngine::EmittedPower() const
   return Pi * this->State.Tree()[0].area * Mean(this->State.Tree()[0].emission);
 }
 
-ElementSolution GoalOrientedEngine::Elements(const FacetSet& facets) const
+ElementSolution GoalOrientedEngine::Elements(
+  const FacetSet& facets, ElementTree elements, ElementSurface surface) const
 {
-  return ExtractElements(this->State, facets);
+  return ExtractElements(this->State, facets, std::move(elements), std::move(surface));
 }
 
 std::vector<InteractionRecord> GoalOrientedEngine::Interactions() const

@@ -27,7 +27,8 @@ public:
 
   const ElementTree& Tree() const override { return this->State.Tree().Tree(); }
   double EmittedPower() const override;
-  ElementSolution Elements(const FacetSet& facets) const override;
+  ElementSolution Elements(
+    const FacetSet& facets, ElementTree elements, ElementSurface surface) const override;
   std::vector<InteractionRecord> Interactions() const override;
   RadianceSolution Radiance() const override;
   Color ViewFluxOfRadiance() const override;

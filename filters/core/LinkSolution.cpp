@@ -7,20 +7,20 @@ namespace vantage
 namespace
 {
 
-/// The open leaf that each leaf of the element tree belongs to: itself, or the cluster that no one
-/// looked into.
-std::vector<OpenId> OpenLeaves(const OpenTree& tree)
+/// The open leaf that each leaf of a tree belongs to: itself, what was split in this tree only, or
+/// the cluster that no one looked into.
+std::vector<OpenId> OpenLeaves(const OpenTree& open, const ElementTree& tree)
 {
-  std::vector<OpenId> leaves(tree.Tree().Size(), None);
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  std::vector<OpenId> leaves(tree.Size(), None);
+  for (OpenId id = 0; id < open.Size(); ++id)
   {
-    leaves[tree[id].node] = id;
+    leaves[open[id].node] = id;
   }
-  for (NodeId node = 1; node < tree.Tree().Size(); ++node)
+  for (NodeId node = 1; node < tree.Size(); ++node)
   {
     if (leaves[node] == None)
     {
-      leaves[node] = leaves[tree.Tree()[node].parent];
+      leaves[node] = leaves[tree[node].parent];
     }
   }
   return leaves;
@@ -28,13 +28,15 @@ std::vector<OpenId> OpenLeaves(const OpenTree& tree)
 
 } // namespace
 
-ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets)
+ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets,
+  ElementTree elements, ElementSurface surface)
 {
-  const OpenTree& open = transport.Tree();
-  const ElementTree& tree = open.Tree();
-  const std::vector<OpenId> leaves = OpenLeaves(open);
   ElementSolution solution;
-  solution.surface = PatchMesh(tree, facets).Surface();
+  solution.tree = std::make_shared<const ElementTree>(std::move(elements));
+  const ElementTree& tree = *solution.tree;
+  const OpenTree& open = transport.Tree();
+  const std::vector<OpenId> leaves = OpenLeaves(open, tree);
+  solution.surface = std::move(surface);
   for (const NodeId element : solution.surface.elements)
   {
     const OpenId leaf = leaves[element];
@@ -54,6 +56,7 @@ ElementSolution ExtractElements(const GoalOrientedTransport& transport, const Fa
     solution.side.push_back(patch.side);
     solution.level.push_back(tree[element].level);
   }
+  solution.pointRadiance = PointValues(solution.surface, solution.radiance);
   return solution;
 }
 

@@ -133,9 +133,10 @@ StepReport ShootingEngine::Report(const Step& step, bool isInitial) const
   return report;
 }
 
-ElementSolution ShootingEngine::Elements(const FacetSet& facets) const
+ElementSolution ShootingEngine::Elements(
+  const FacetSet& facets, ElementTree elements, ElementSurface surface) const
 {
-  return ExtractElements(this->State, facets);
+  return ExtractElements(this->State, facets, std::move(elements), std::move(surface));
 }
 
 std::vector<InteractionRecord> ShootingEngine::Interactions() const

@@ -88,21 +88,28 @@ private:
 
 } // namespace
 
-ElementSolution ExtractElements(const Transport& transport, const FacetSet& facets)
+ElementSolution ExtractElements(
+  const Transport& transport, const FacetSet& facets, ElementTree elements, ElementSurface surface)
 {
-  const ElementTree& tree = transport.Tree();
   const UnshotMeans unshot(transport);
   ElementSolution solution;
-  solution.surface = PatchMesh(tree, facets).Surface();
+  solution.tree = std::make_shared<const ElementTree>(std::move(elements));
+  const ElementTree& tree = *solution.tree;
+  solution.surface = std::move(surface);
   for (const NodeId element : solution.surface.elements)
   {
+    NodeId known = element;
+    while (known >= transport.Tree().Size())
+    {
+      known = tree[known].parent;
+    }
     const PatchId patchId = tree[element].patch;
     const Patch& patch = tree.Patches()[patchId];
-    solution.radiance.push_back(transport.Radiance(element));
-    solution.unshotRadiance.push_back(unshot.Radiance(element));
-    solution.importance.push_back(transport.Importance(element));
-    solution.unshotImportance.push_back(unshot.Importance(element));
-    solution.viewImportance.push_back(transport.ViewImportance(element));
+    solution.radiance.push_back(transport.Radiance(known));
+    solution.unshotRadiance.push_back(unshot.Radiance(known));
+    solution.importance.push_back(transport.Importance(known));
+    solution.unshotImportance.push_back(unshot.Importance(known));
+    solution.viewImportance.push_back(transport.ViewImportance(known));
     solution.albedo.push_back(transport.OpticsOf(patchId).albedo);
     solution.emission.push_back(transport.OpticsOf(patchId).emission);
     solution.patch.push_back(patchId);
@@ -110,6 +117,7 @@ ElementSolution ExtractElements(const Transport& transport, const FacetSet& face
     solution.side.push_back(patch.side);
     solution.level.push_back(tree[element].level);
   }
+  solution.pointRadiance = PointValues(solution.surface, solution.radiance);
   return solution;
 }
 

@@ -4,6 +4,7 @@
 #include "core/mesh/PatchMesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /// \file Solution.h
@@ -15,11 +16,14 @@ namespace vantage
 class GoalOrientedTransport;
 class Transport;
 
-/// The leaf elements and what is known of each. All vectors have one entry a polygon of `surface`.
+/// Elements and what is known of each. All vectors but one have an entry for each polygon of
+/// `surface`.
 struct ElementSolution
 {
+  std::shared_ptr<const ElementTree> tree; ///< whose leaves they are
   ElementSurface surface;
-  std::vector<Color> radiance;         ///< W m^-2 sr^-1
+  std::vector<Color> pointRadiance;    ///< at the points of the surface, W m^-2 sr^-1
+  std::vector<Color> radiance;         ///< mean, W m^-2 sr^-1
   std::vector<Color> unshotRadiance;   ///< W m^-2 sr^-1, mean over the interactions by throughput
   std::vector<Color> importance;       ///< P, sr m^-2
   std::vector<Color> unshotImportance; ///< of Y = rho P, sr m^-2
@@ -48,10 +52,13 @@ struct InteractionRecord
   std::uint64_t step;              ///< in which it was made
 };
 
-/// All leaf elements. O(nodes + interactions).
-ElementSolution ExtractElements(const Transport& transport, const FacetSet& facets);
+/// All leaves of `elements`, which `surface` shows: the tree of the transport, or a copy of it that
+/// was split further. Points have the mean of what is around them. O(nodes + interactions).
+ElementSolution ExtractElements(
+  const Transport& transport, const FacetSet& facets, ElementTree elements, ElementSurface surface);
 /// What lies in a cluster that was not looked into has the mean of what the cluster received.
-ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets);
+ElementSolution ExtractElements(const GoalOrientedTransport& transport, const FacetSet& facets,
+  ElementTree elements, ElementSurface surface);
 
 /// All active interactions in the order they were made. O(interactions).
 std::vector<InteractionRecord> ExtractInteractions(const Transport& transport);

@@ -291,7 +291,33 @@ std::vector<std::string> Solver::Warnings() const
 
 ElementSolution Solver::Elements() const
 {
-  return this->Impl->engine->Elements(this->Impl->facets);
+  const Implementation& s = *this->Impl;
+  const ElementTree& tree = s.engine->Tree();
+  return s.engine->Elements(s.facets, tree, PatchMesh(tree, s.facets).Surface());
+}
+
+GatheredElements Solver::GatherElements(const Camera& camera, double error) const
+{
+  camera.Validate();
+  if (!(error > 0.0 && error <= 1.0))
+  {
+    throw InputError(
+      "elements: error is " + std::to_string(error) + "; give a number above 0 and not above 1");
+  }
+  const Implementation& s = *this->Impl;
+  MeshGatherSettings settings;
+  settings.interpolationError = std::max(InterpolationShare * error, LeastGatherError);
+  settings.gatherError = std::max(GatherShare * error, LeastGatherError);
+  settings.seed = s.settings.seed;
+  GatheredMesh mesh = GatherMesh(*s.occluders, s.engine->Radiance(), s.facets, s.engine->Tree(),
+    SampleView(*s.occluders, s.engine->Tree(), camera, s.settings.viewRays, s.settings.seed),
+    settings);
+  GatheredElements gathered;
+  gathered.elements = s.engine->Elements(s.facets, std::move(mesh.tree), std::move(mesh.surface));
+  gathered.elements.pointRadiance = std::move(mesh.pointRadiance);
+  gathered.errorEstimate = std::hypot(mesh.interpolationError, mesh.gatherError);
+  gathered.counts = mesh.counts;
+  return gathered;
 }
 
 std::vector<InteractionRecord> Solver::Interactions() const
@@ -303,8 +329,8 @@ Image Solver::Render(const Camera& camera, const ElementImageSettings& settings)
 {
   const Implementation& s = *this->Impl;
   const ElementSolution solution = this->Elements();
-  return RenderElements(
-    *s.occluders, s.engine->Tree(), solution.surface, solution.radiance, camera, settings);
+  return RenderElements(*s.occluders, s.engine->Tree(), solution.surface,
+    settings.flat ? solution.radiance : solution.pointRadiance, camera, settings);
 }
 
 std::shared_ptr<const SolutionSnapshot> Solver::Snapshot() const

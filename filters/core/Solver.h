@@ -10,6 +10,7 @@
 #include "core/transport/Method.h"
 #include "core/transport/Refinement.h"
 #include "core/view/ElementImage.h"
+#include "core/view/MeshGather.h"
 
 #include <cstdint>
 #include <functional>
@@ -59,6 +60,18 @@ struct Budget
 /// squares add up to less than 1: the rest is for what is systematic and no estimate knows.
 inline constexpr double GoalShare = 0.75;
 inline constexpr double GatherShare = 0.55;
+
+/// The same of a mesh whose points are gathered and interpolated between (GatherElements()).
+inline constexpr double InterpolationShare = 0.35;
+
+/// Elements that are fine enough to be drawn, with the light of a view at their points.
+struct GatheredElements
+{
+  ElementSolution elements;
+  /// Of the picture that they give, relative L1, without the error of the solution.
+  double errorEstimate = 0.0;
+  GatherCounts counts;
+};
 
 /// What Run() ended for.
 enum class RunEnd
@@ -110,6 +123,11 @@ public:
   ElementSolution Elements() const;
   /// In the order they were made.
   std::vector<InteractionRecord> Interactions() const;
+  /// The elements split further where a camera sees light that varies, with gathered light at their
+  /// points: what plain Gouraud shading of them needs. `error` is that of the picture, relative L1,
+  /// of which gather and interpolation take their shares, though none below LeastGatherError.
+  /// \throw InputError for a bad camera, or an error outside (0, 1].
+  GatheredElements GatherElements(const Camera& camera, double error) const;
   /// The elements seen by a camera.
   Image Render(const Camera& camera, const ElementImageSettings& settings) const;
   /// What Gather() needs, for pictures that outlive the solver or its next step. O(elements).

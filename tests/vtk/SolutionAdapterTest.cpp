@@ -2,6 +2,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -71,15 +72,31 @@ TEST(SolutionAdapter, EveryFieldOfTheElementsIsACellArray)
   EXPECT_EQ(CellValue(elements, "Level", 1), 21);
 }
 
-TEST(SolutionAdapter, PointRadianceIsThatOfTheElementsAround)
+TEST(SolutionAdapter, PointRadianceIsThatOfThePoints)
 {
-  const auto elements = ElementsToPolyData(MakeSolution());
+  ElementSolution solution = MakeSolution();
+  for (int i = 0; i < 5; ++i)
+  {
+    solution.pointRadiance.push_back(Color(i, 10 * i, 100 * i));
+  }
+  const auto elements = ElementsToPolyData(solution);
   vtkDataArray* radiance = elements->GetPointData()->GetArray("Radiance");
   ASSERT_EQ(radiance->GetNumberOfTuples(), 5);
-  EXPECT_DOUBLE_EQ(radiance->GetComponent(0, 2), 3.0); // quadrilateral only
-  EXPECT_DOUBLE_EQ(radiance->GetComponent(4, 2), 5.0); // triangle only
-  EXPECT_GT(radiance->GetComponent(3, 2), 3.0);
-  EXPECT_LT(radiance->GetComponent(3, 2), 5.0);
+  for (int i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(radiance->GetComponent(i, 2), 100.0 * i);
+  }
+  EXPECT_EQ(elements->GetFieldData()->GetArray("ErrorEstimate"), nullptr);
+}
+
+TEST(SolutionAdapter, GatheredElementsStateTheirError)
+{
+  GatheredElements gathered;
+  gathered.elements = MakeSolution();
+  gathered.errorEstimate = 0.04;
+  const auto elements = ElementsToPolyData(gathered, 0.03);
+  EXPECT_DOUBLE_EQ(elements->GetFieldData()->GetArray("ErrorEstimate")->GetTuple1(0), 0.05);
+  EXPECT_EQ(elements->GetNumberOfCells(), 2);
 }
 
 TEST(SolutionAdapter, AnInteractionIsALineFromShooterToReceiver)

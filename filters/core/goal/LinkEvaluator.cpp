@@ -187,8 +187,10 @@ EvaluatedLink LinkEvaluator::EvaluateClusters(const LinkRequest& request) const
   link.visibility = facing > 0 ? static_cast<double>(open) / facing : 0.0;
   link.agreeingRays =
     open > 0 ? 0 : facing + (request.parentVisibility == 0.0 ? request.parentAgreeingRays : 0);
+  // Within one cluster there are neighbours that see each other, however many rays did not.
+  const bool isDoubted = open > 0 || link.IsSelf();
   link.uncertainty =
-    std::max(link.throughput, MeanFacing * bound / (open > 0 ? 1.0 : link.agreeingRays + 2.0));
+    std::max(link.throughput, MeanFacing * bound / (isDoubted ? 1.0 : link.agreeingRays + 2.0));
   return result;
 }
 

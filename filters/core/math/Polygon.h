@@ -92,4 +92,10 @@ Vec3 PointAt(const Polygon& p, const Vec2& uv);
 /// a triangle or a parallelogram. \pre p.Size() is 3 or 4.
 double AreaElementAt(const Polygon& p, const Vec2& uv);
 
+/// The same, to the bit, whichever end comes first.
+inline Vec3 Midpoint(const Vec3& a, const Vec3& b)
+{
+  return 0.5 * (a + b);
+}
+
 } // namespace vantage

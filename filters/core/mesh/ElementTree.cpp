@@ -245,11 +245,6 @@ void SummariseClusters(std::vector<Node>& nodes)
   }
 }
 
-Vec3 Midpoint(const Vec3& a, const Vec3& b)
-{
-  return 0.5 * (a + b);
-}
-
 std::array<Polygon, 4> QuarterTriangle(const Polygon& p)
 {
   const Vec3 m01 = Midpoint(p[0], p[1]);

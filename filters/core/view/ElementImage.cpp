@@ -64,50 +64,54 @@ void ElementImageSettings::Validate() const
   RequireAtLeastOne(this->samplesPerPixel, "samples per pixel");
 }
 
-SurfaceInterpolator::SurfaceInterpolator(const ElementTree& tree, const ElementSurface& surface,
-  const std::vector<Color>& radianceOfPolygon, bool flat)
+SurfaceInterpolator::SurfaceInterpolator(const ElementTree& tree, const ElementSurface& surface)
   : Tree(&tree)
   , Surface(&surface)
-  , PolygonValues(radianceOfPolygon)
   , PolygonOfNode(tree.Size(), None)
 {
-  if (!flat)
-  {
-    this->PointColors = PointValues(surface, radianceOfPolygon);
-  }
   for (std::uint32_t p = 0; p < surface.PolygonCount(); ++p)
   {
     this->PolygonOfNode[surface.elements[p]] = p;
   }
 }
 
-Color SurfaceInterpolator::At(PatchId patch, const Vec3& point) const
+std::uint32_t SurfaceInterpolator::PolygonAt(PatchId patch, const Vec3& point) const
 {
   const Patch& side = this->Tree->Patches()[patch];
-  if (!side.IsActive())
+  return side.IsActive() ? this->PolygonOfNode[this->Tree->LeafContaining(side.node, point)] : None;
+}
+
+Color SurfaceInterpolator::At(
+  const std::vector<Color>& valueOfPoint, PatchId patch, const Vec3& point) const
+{
+  const std::uint32_t polygon = this->PolygonAt(patch, point);
+  if (polygon == None)
   {
     return Color(0.0);
-  }
-  const NodeId leaf = this->Tree->LeafContaining(side.node, point);
-  const std::uint32_t polygon = this->PolygonOfNode[leaf];
-  if (this->PointColors.empty())
-  {
-    return this->PolygonValues[polygon];
   }
   const std::uint32_t first = this->Surface->offsets[polygon];
   const int corners = static_cast<int>(this->Surface->offsets[polygon + 1] - first);
   const auto pointId = [&](int i) { return this->Surface->indices[first + i]; };
   return MeanValue(
     corners, [&](int i) { return this->Surface->points[pointId(i)]; },
-    [&](int i) { return this->PointColors[pointId(i)]; }, side.normal, point);
+    [&](int i) { return valueOfPoint[pointId(i)]; }, this->Tree->Patches()[patch].normal, point);
 }
 
 Image RenderElements(const OccluderScene& occluders, const ElementTree& tree,
-  const ElementSurface& surface, const std::vector<Color>& radianceOfPolygon, const Camera& camera,
+  const ElementSurface& surface, const std::vector<Color>& radiance, const Camera& camera,
   const ElementImageSettings& settings)
 {
   settings.Validate();
-  const SurfaceInterpolator radiance(tree, surface, radianceOfPolygon, settings.flat);
+  const SurfaceInterpolator interpolator(tree, surface);
+  const auto radianceAt = [&](const Hit& hit)
+  {
+    if (!settings.flat)
+    {
+      return interpolator.At(radiance, hit.Patch(), hit.point);
+    }
+    const std::uint32_t polygon = interpolator.PolygonAt(hit.Patch(), hit.point);
+    return polygon == None ? Color(0.0) : radiance[polygon];
+  };
   const ImagePlane plane(camera);
   const int samples = settings.pixelCentres ? 1 : settings.samplesPerPixel;
   Image image(settings.width, settings.height);
@@ -122,7 +126,7 @@ Image RenderElements(const OccluderScene& occluders, const ElementTree& tree,
         2.0 * (x + place.x) / settings.width - 1.0, 2.0 * (y + place.y) / settings.height - 1.0);
       if (const auto hit = occluders.Intersect(plane.eye, direction))
       {
-        sum += radiance.At(hit->Patch(), hit->point);
+        sum += radianceAt(*hit);
       }
     }
     image.At(x, y) = sum / static_cast<double>(samples);

@@ -27,31 +27,32 @@ struct ElementImageSettings
   void Validate() const;
 };
 
-/// Radiance of a surface that carries one value for each polygon (averaged to its points by
-/// PointValues) at the points the camera sees, by mean value coordinates (Floater 2003) on each
-/// element's polygon: continuous across elements of different levels. Black where a ray meets
-/// nothing or the back of a one-sided facet. Parallel over rows, deterministic.
-Image RenderElements(const OccluderScene& occluders, const ElementTree& tree,
-  const ElementSurface& surface, const std::vector<Color>& radianceOfPolygon, const Camera& camera,
-  const ElementImageSettings& settings);
-
-/// Interpolated radiance at points of a surface.
+/// Looks values of a surface up at points of it.
 class SurfaceInterpolator
 {
 public:
-  /// Keeps references to tree and surface; they must outlive it.
-  SurfaceInterpolator(const ElementTree& tree, const ElementSurface& surface,
-    const std::vector<Color>& radianceOfPolygon, bool flat = false);
+  /// Keeps references to tree and surface; they must outlive it. O(nodes).
+  SurfaceInterpolator(const ElementTree& tree, const ElementSurface& surface);
 
-  /// At a point of a patch; (0,0,0) on an inactive patch.
-  Color At(PatchId patch, const Vec3& point) const;
+  /// The polygon that shows a point of a patch; None on an inactive one. O(levels).
+  std::uint32_t PolygonAt(PatchId patch, const Vec3& point) const;
+
+  /// Of one value for each point of the surface, by mean value coordinates (Floater 2003) on the
+  /// polygon that shows the point: continuous across elements of different levels. (0,0,0) on an
+  /// inactive patch.
+  Color At(const std::vector<Color>& valueOfPoint, PatchId patch, const Vec3& point) const;
 
 private:
   const ElementTree* Tree;
   const ElementSurface* Surface;
-  std::vector<Color> PolygonValues;
-  std::vector<Color> PointColors; ///< empty when flat
   std::vector<std::uint32_t> PolygonOfNode;
 };
+
+/// The radiance of a surface at the points the camera sees. `radiance` has one value for each point
+/// of the surface or, where the settings say flat, one for each polygon. Black where a ray meets
+/// nothing or the back of a one-sided facet. Parallel over rows, deterministic.
+Image RenderElements(const OccluderScene& occluders, const ElementTree& tree,
+  const ElementSurface& surface, const std::vector<Color>& radiance, const Camera& camera,
+  const ElementImageSettings& settings);
 
 } // namespace vantage

@@ -12,6 +12,9 @@
 namespace vantage
 {
 
+/// The least error that a gather may be asked for.
+inline constexpr double LeastGatherError = 5e-4;
+
 /// A point of a patch whose light is wanted.
 struct GatherPoint
 {
@@ -29,6 +32,16 @@ struct GatherCounts
   std::uint64_t hitShadowRays = 0; ///< from what these met to the lamps
   double directSeconds = 0.0;
   double indirectSeconds = 0.0;
+
+  void Add(const GatherCounts& other)
+  {
+    this->direct.Add(other.direct);
+    this->gatherPoints += other.gatherPoints;
+    this->gatherRays += other.gatherRays;
+    this->hitShadowRays += other.hitShadowRays;
+    this->directSeconds += other.directSeconds;
+    this->indirectSeconds += other.indirectSeconds;
+  }
 };
 
 /// Radiance at points of surfaces: what the named lamps give, exactly, plus indirect light that is
@@ -43,7 +56,8 @@ class SurfaceGather
 public:
   struct Settings
   {
-    double error = 0.01; ///< wanted: sum of weight |error| over sum of weight radiance, > 0
+    /// Wanted: sum of weight |error| over sum of weight radiance, LeastGatherError .. 1.
+    double error = 0.01;
     std::uint64_t seed = 1;
   };
 

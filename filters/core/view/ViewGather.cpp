@@ -186,7 +186,7 @@ void Gather::DescribeCentres()
 {
   const std::vector<EyeHit>& centres = this->Samples.centres;
   this->View.depth.assign(centres.size(), std::numeric_limits<float>::infinity());
-  this->View.elementId.assign(centres.size(), None);
+  this->View.patch.assign(centres.size(), None);
   tbb::parallel_for(0, this->Settings.height,
     [&](int y)
     {
@@ -200,11 +200,7 @@ void Gather::DescribeCentres()
         }
         const Vec3 way = hit.depth * this->Direction(x + 0.5, y + 0.5);
         this->View.depth[pixel] = static_cast<float>(glm::length(way));
-        if (this->Solution->IsActive(hit.patch))
-        {
-          const auto leaf = this->Solution->LeafAt(hit.patch, this->Plane.eye + way);
-          this->View.elementId[pixel] = this->Solution->elements[leaf].node;
-        }
+        this->View.patch[pixel] = this->Solution->IsActive(hit.patch) ? hit.patch : None;
       }
     });
 }

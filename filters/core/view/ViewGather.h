@@ -14,9 +14,6 @@
 namespace vantage
 {
 
-/// The least error that a gather may be asked for.
-inline constexpr double LeastGatherError = 5e-4;
-
 struct GatherSettings
 {
   int width = 512;           ///< pixels, 1 .. 32768
@@ -52,8 +49,8 @@ struct GatherReport
 struct GatheredView
 {
   Image radiance;
-  std::vector<float> depth; ///< distance of a pixel's centre from the eye; +inf: nothing
-  std::vector<std::uint32_t> elementId; ///< RadianceSolution::Element::node there, or None
+  std::vector<float> depth;   ///< distance of a pixel's centre from the eye; +inf: nothing
+  std::vector<PatchId> patch; ///< what is seen there; None: nothing, or an inactive side
   GatherReport report;
 };
 

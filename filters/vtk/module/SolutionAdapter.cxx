@@ -105,8 +105,16 @@ vtkSmartPointer<vtkPolyData> ElementsToPolyData(const ElementSolution& solution)
   cellData->AddArray(
     MakeArray<vtkIntArray>("Level", count, [&](std::size_t k) { return solution.level[k]; }));
 
-  elements->GetPointData()->AddArray(
-    ColorsToArray("Radiance", PointValues(surface, solution.radiance)));
+  elements->GetPointData()->AddArray(ColorsToArray("Radiance", solution.pointRadiance));
+  return elements;
+}
+
+vtkSmartPointer<vtkPolyData> ElementsToPolyData(
+  const GatheredElements& gathered, double errorOfSolution)
+{
+  vtkSmartPointer<vtkPolyData> elements = ElementsToPolyData(gathered.elements);
+  elements->GetFieldData()->AddArray(MakeArray<vtkDoubleArray>("ErrorEstimate", 1,
+    [&](std::size_t) { return std::hypot(errorOfSolution, gathered.errorEstimate); }));
   return elements;
 }
 
@@ -202,18 +210,27 @@ vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image)
   return imageData;
 }
 
-vtkSmartPointer<vtkImageData> ViewToImageData(const GatheredView& view, const SolvedView& solved)
+vtkSmartPointer<vtkImageData> ViewToImageData(
+  const GatheredView& view, const Camera& camera, const SolvedView& solved)
 {
+  const ImagePlane plane(camera);
+  const int width = view.radiance.width;
+  const int height = view.radiance.height;
+  const auto cellOf = [&](std::size_t pixel)
+  {
+    if (view.patch[pixel] == None)
+    {
+      return vtkIdType(-1);
+    }
+    const Vec3 direction = plane.Direction(
+      2.0 * (pixel % width + 0.5) / width - 1.0, 2.0 * (pixel / width + 0.5) / height - 1.0);
+    const Vec3 point = plane.eye + double(view.depth[pixel]) * glm::normalize(direction);
+    return static_cast<vtkIdType>(solved.CellAt(view.patch[pixel], point));
+  };
   vtkSmartPointer<vtkImageData> image = ImageToImageData(view.radiance);
   vtkPointData* points = image->GetPointData();
   points->SetActiveScalars("Radiance");
-  points->AddArray(MakeArray<vtkIdTypeArray>("ElementId", view.elementId.size(),
-    [&](std::size_t k)
-    {
-      const std::uint32_t cell =
-        view.elementId[k] == None ? None : solved.CellOf(view.elementId[k]);
-      return cell == None ? vtkIdType(-1) : static_cast<vtkIdType>(cell);
-    }));
+  points->AddArray(MakeArray<vtkIdTypeArray>("ElementId", view.patch.size(), cellOf));
   points->AddArray(MakeArray<vtkFloatArray>(
     "Depth", view.depth.size(), [&](std::size_t k) { return view.depth[k]; }));
   image->GetFieldData()->AddArray(MakeArray<vtkDoubleArray>("ErrorEstimate", 1,
@@ -227,6 +244,7 @@ std::shared_ptr<const SolvedView> ViewOf(
   const auto view = std::make_shared<SolvedView>();
   view->snapshot = solver.Snapshot();
   view->camera = camera;
+  view->tree = elements.tree;
   view->nodeOfCell = elements.surface.elements;
   view->errorEstimate = solver.History().empty() ? std::numeric_limits<double>::infinity()
                                                  : solver.History().back().errorEstimate;

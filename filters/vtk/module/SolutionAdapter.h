@@ -35,23 +35,28 @@ struct SolvedView;
 /// | Side             | 1 (uchar)  |             | 0 front, 1 back; corners run accordingly     |
 /// | Level            | 1 (int)    |             | subdivisions below the patch                 |
 ///
-/// Point array: Radiance, 3, the mean of the elements around a point by angle.
+/// Point array: Radiance, 3, ElementSolution::pointRadiance.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> ElementsToPolyData(
   const ElementSolution& solution);
 
+/// The same with the field array ErrorEstimate (1): the relative L1 error of the picture that the
+/// points give, of the solution and of the gather.
+VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> ElementsToPolyData(
+  const GatheredElements& gathered, double errorOfSolution);
+
 /// One line an interaction, from the centre of the shooter to the centre of the receiver.
 ///
-/// | cell array    | type | unit | content                                                       |
-/// |---------------|------|------|---------------------------------------------------------------|
-/// | Shooter       | id   |      | PatchId of the end that radiance leaves first                 |
-/// | Receiver      | id   |      | PatchId of the other end                                      |
-/// | ShooterLevel  | int  |      | subdivisions of that end below its patch                      |
-/// | ReceiverLevel | int  |      | same of the other end                                         |
-/// | FormFactor    | real | sr   | F shooter -> receiver: pi times the classical one, visibility
-/// included | | Visibility    | real | 1    | visible fraction, 0 to 1 | | ShotFlux      | real | W
-/// | carried so far, both directions                               | | Contribution  | real | W
-/// m^-2 | of what was carried, to the view flux                       | | Step          | id   | |
-/// in which it was made                                          |
+/// | cell array    | type | unit   | content                                               |
+/// |---------------|------|--------|-------------------------------------------------------|
+/// | Shooter       | id   |        | PatchId of the end that radiance leaves first         |
+/// | Receiver      | id   |        | PatchId of the other end                              |
+/// | ShooterLevel  | int  |        | subdivisions of that end below its patch; -1: cluster |
+/// | ReceiverLevel | int  |        | same of the other end                                 |
+/// | FormFactor    | real | sr     | pi times the classical one, visibility included       |
+/// | Visibility    | real | 1      | visible fraction, 0 to 1                              |
+/// | ShotFlux      | real | W      | carried so far, both directions                       |
+/// | Contribution  | real | W m^-2 | of what was carried, to the view flux                 |
+/// | Step          | id   |        | in which it was made                                  |
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> InteractionsToPolyData(
   const std::vector<InteractionRecord>& interactions);
 
@@ -65,8 +70,9 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkTable> HistoryToTable(
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image);
 
 /// The same with the point arrays ElementId (id, cell of the elements; -1: none) and Depth (float)
-/// and the field array ErrorEstimate: of the solution and of the gather.
+/// and the field array ErrorEstimate: of the solution and of the gather. `camera` is that of the
+/// view.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ViewToImageData(
-  const GatheredView& view, const SolvedView& solved);
+  const GatheredView& view, const Camera& camera, const SolvedView& solved);
 
 } // namespace vantage

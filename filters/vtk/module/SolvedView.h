@@ -19,25 +19,24 @@ namespace vantage
 struct SolvedView
 {
   std::shared_ptr<const SolutionSnapshot> snapshot;
-  Camera camera;              ///< the solution was made for
-  double errorEstimate = 0.0; ///< StepReport::errorEstimate of the last step
-  /// Node of the element tree that each cell of the elements is, ascending
-  /// (ElementSurface::elements).
+  Camera camera;                           ///< the solution was made for
+  double errorEstimate = 0.0;              ///< StepReport::errorEstimate of the last step
+  std::shared_ptr<const ElementTree> tree; ///< of the elements, each of whose leaves is a cell
+  /// Node of that tree that each cell is, ascending (ElementSurface::elements).
   std::vector<NodeId> nodeOfCell;
 
-  /// The cell that shows a node, or None: what lies in a cluster that the solver did not look into
-  /// has the cluster's node, which no cell shows.
-  std::uint32_t CellOf(NodeId node) const
+  /// The cell that shows a point of a patch. \pre the patch is active
+  std::uint32_t CellAt(PatchId patch, const Vec3& point) const
   {
-    const auto found = std::lower_bound(this->nodeOfCell.begin(), this->nodeOfCell.end(), node);
-    return found != this->nodeOfCell.end() && *found == node
-             ? static_cast<std::uint32_t>(found - this->nodeOfCell.begin())
-             : None;
+    const NodeId leaf = this->tree->LeafContaining(this->tree->Patches()[patch].node, point);
+    return static_cast<std::uint32_t>(
+      std::lower_bound(this->nodeOfCell.begin(), this->nodeOfCell.end(), leaf) -
+      this->nodeOfCell.begin());
   }
 
   std::size_t Bytes() const
   {
-    return sizeof(SolvedView) + this->snapshot->Bytes() +
+    return sizeof(SolvedView) + this->snapshot->Bytes() + this->tree->Size() * sizeof(Node) +
            this->nodeOfCell.capacity() * sizeof(NodeId);
   }
 };

@@ -23,12 +23,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkImportanceDrivenShooting);
 vtkCxxSetObjectMacro(vtkImportanceDrivenShooting, Camera, vtkCamera);
 
 namespace
 {
+
+/// Of the points of the elements, where no error is asked for.
+constexpr double DefaultGatherError = 0.01;
 
 vantage::Accuracy AccuracyFromName(const std::string& name)
 {
@@ -233,6 +237,25 @@ void vtkImportanceDrivenShooting::Solve(vtkPolyData* input)
     });
 }
 
+/// Fills output port 0; returns what it shows.
+vantage::ElementSolution vtkImportanceDrivenShooting::ShowElements(vtkPolyData* elements) const
+{
+  const vantage::SolverSession& session = this->Impl->session;
+  const vantage::Solver& solver = session.Current();
+  if (solver.Settings().method != vantage::Method::GoalOriented || !this->GatherPoints)
+  {
+    vantage::ElementSolution solved = solver.Elements();
+    elements->ShallowCopy(vantage::ElementsToPolyData(solved));
+    return solved;
+  }
+  const double error = this->Error > 0.0 ? std::min(this->Error, 1.0) : DefaultGatherError;
+  vantage::GatheredElements gathered = solver.GatherElements(session.CurrentCamera(), error);
+  const double errorOfSolution = solver.History().empty() ? std::numeric_limits<double>::infinity()
+                                                          : solver.History().back().errorEstimate;
+  elements->ShallowCopy(vantage::ElementsToPolyData(gathered, errorOfSolution));
+  return std::move(gathered.elements);
+}
+
 int vtkImportanceDrivenShooting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -245,14 +268,18 @@ int vtkImportanceDrivenShooting::RequestData(
   try
   {
     tbb::task_arena arena(vtkSMPTools::GetEstimatedNumberOfThreads());
-    arena.execute([&] { this->Solve(input); });
+    vantage::ElementSolution shown;
+    arena.execute(
+      [&]
+      {
+        this->Solve(input);
+        shown = this->ShowElements(elements);
+      });
     const vantage::Solver& solver = session.Current();
-    const vantage::ElementSolution solved = solver.Elements();
-    elements->ShallowCopy(vantage::ElementsToPolyData(solved));
     elements->GetFieldData()->PassData(input->GetFieldData());
     interactions->ShallowCopy(vantage::InteractionsToPolyData(solver.Interactions()));
     history->ShallowCopy(vantage::HistoryToTable(solver.History()));
-    solution->SetView(vantage::ViewOf(solver, solved, session.CurrentCamera()));
+    solution->SetView(vantage::ViewOf(solver, shown, session.CurrentCamera()));
     solution->GetFieldData()->PassData(input->GetFieldData());
     return 1;
   }
@@ -304,5 +331,6 @@ void vtkImportanceDrivenShooting::PrintSelf(ostream& os, vtkIndent indent)
   print("ViewRays", this->ViewRays);
   print("InitialPhase", this->InitialPhase ? "on" : "off");
   print("Importance", this->Importance ? "on" : "off");
+  print("GatherPoints", this->GatherPoints ? "on" : "off");
   print("Seed", this->Seed);
 }

@@ -90,8 +90,9 @@ void vtkViewGather::Gather(vtkTransportSolution* solution, vtkImageData* output)
   settings.seed = this->Seed;
   settings.Validate();
   const vantage::SolvedView& solved = *solution->GetView();
-  const vantage::GatheredView view = solved.snapshot->Gather(this->CameraOf(solution), settings);
-  output->ShallowCopy(vantage::ViewToImageData(view, solved));
+  const vantage::Camera camera = this->CameraOf(solution);
+  const vantage::GatheredView view = solved.snapshot->Gather(camera, settings);
+  output->ShallowCopy(vantage::ViewToImageData(view, camera, solved));
 }
 
 int vtkViewGather::RequestData(

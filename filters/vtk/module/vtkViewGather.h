@@ -31,11 +31,11 @@ struct Camera;
 ///
 /// Output: vtkImageData of Width x Height x 1, row 0 at the bottom, with the point arrays
 ///
-/// | array     | components | type   | content |
-/// |-----------|------------|--------|--------------------------------------------------------------|
-/// | Radiance  | 3          | float  | mean over the pixel, W m^-2 sr^-1; the active scalars | |
-/// ElementId | 1          | id     | cell of the elements that the pixel's centre sees; -1: none  |
-/// | Depth     | 1          | float  | its distance from the eye, scene units; infinite: nothing |
+/// | array     | components | type  | content                                                    |
+/// |-----------|------------|-------|------------------------------------------------------------|
+/// | Radiance  | 3          | float | mean over the pixel, W m^-2 sr^-1; the active scalars      |
+/// | ElementId | 1          | id    | cell of port 0 that the pixel's centre sees; -1: none      |
+/// | Depth     | 1          | float | its distance from the eye, scene units; infinite: nothing  |
 ///
 /// and the field array ErrorEstimate (1 double): the relative L1 error of the picture, of solution
 /// and gather together where the view is the one that the solution was made for.

@@ -2,6 +2,7 @@
 
 #include "core/goal/GoalScenes.h"
 #include "core/reference/DenseSolve.h"
+#include "core/scene/Labyrinth.h"
 #include "core/transport/PairEvaluator.h"
 #include "core/visibility/PairVisibility.h"
 #include "properties/RandomScene.h"
@@ -319,6 +320,24 @@ TEST(LinkEvaluator, ASmallBrightLampInABigClusterIsMet)
   EXPECT_GT(made.link.visibility, 0.0);
   const double exact = ExactThroughputs(stage, tree).Between(upper, lower);
   EXPECT_NEAR(made.link.throughput / exact, 1.0, 0.5);
+}
+
+TEST(LinkEvaluator, WhatIsWithinAClusterIsInDoubtHoweverManyRaysWereStopped)
+{
+  // Of few points in many rooms, hardly two see each other; neighbours do.
+  LabyrinthSettings rooms;
+  rooms.rows = 6;
+  rooms.columns = 6;
+  const test::Stage stage(MakeLabyrinth(rooms));
+  const OpenTree tree = stage.MakeOpenTree();
+  int hidden = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const Link link = LinkEvaluator(tree, stage.occluders, Rays, seed).Evaluate({ { 0, 0 } }).link;
+    hidden += link.throughput == 0.0 && link.agreeingRays > 4 ? 1 : 0;
+    EXPECT_GT(link.uncertainty, 0.05 * Pi * tree.Geometry(0).area) << "seed " << seed;
+  }
+  EXPECT_GT(hidden, 0);
 }
 
 TEST(LinkEvaluator, AClusterNeverHasMoreThanAHemisphere)

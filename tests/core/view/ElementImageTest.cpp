@@ -79,14 +79,14 @@ TEST(ElementImageSettings, BadValuesAreNamed)
 TEST(SurfaceInterpolator, GivesAConstantBackEverywhere)
 {
   const Stage stage;
-  const std::vector<Color> values(stage.surface.PolygonCount(), Color(0.25, 0.5, 2.0));
-  const SurfaceInterpolator radiance(stage.tree, stage.surface, values);
+  const std::vector<Color> values(stage.surface.points.size(), Color(0.25, 0.5, 2.0));
+  const SurfaceInterpolator interpolator(stage.tree, stage.surface);
   for (int i = 0; i <= 64; ++i)
   {
     for (int k = 0; k <= 64; ++k)
     {
       const Vec3 x(i / 64.0, k / 64.0, 0.0);
-      const Color c = radiance.At(stage.Above(x), x);
+      const Color c = interpolator.At(values, stage.Above(x), x);
       // Round-off only; corners and edges of the elements are among the points.
       ASSERT_NEAR(glm::length(c - values[0]), 0.0, 1e-13) << i << " " << k;
     }
@@ -97,11 +97,11 @@ TEST(SurfaceInterpolator, IsContinuousAcrossElementsOfDifferentLevels)
 {
   const Stage stage;
   std::vector<Color> values;
-  for (std::size_t p = 0; p < stage.surface.PolygonCount(); ++p)
+  for (std::size_t i = 0; i < stage.surface.points.size(); ++i)
   {
-    values.push_back(Color(ToUnit(Hash(p)), ToUnit(Hash(p + 100)), 1.0));
+    values.push_back(Color(ToUnit(Hash(i)), ToUnit(Hash(i + 100)), 1.0));
   }
-  const SurfaceInterpolator radiance(stage.tree, stage.surface, values);
+  const SurfaceInterpolator interpolator(stage.tree, stage.surface);
   const double step = 1e-7;
   for (int i = 1; i < 1000; ++i)
   {
@@ -111,27 +111,29 @@ TEST(SurfaceInterpolator, IsContinuousAcrossElementsOfDifferentLevels)
     {
       const PatchId patch = stage.Above(x);
       const Vec3 across = Vec3(1, 1, 0) * step;
-      const Color jump = radiance.At(patch, x + across) - radiance.At(patch, x - across);
+      const Color jump =
+        interpolator.At(values, patch, x + across) - interpolator.At(values, patch, x - across);
       // The gradient is at most about 1 / (size of an element, 1/8) times a few.
       ASSERT_LT(glm::length(jump), 100.0 * step) << x.x << " " << x.y;
     }
   }
 }
 
-TEST(SurfaceInterpolator, FlatGivesTheValueOfTheElement)
+TEST(SurfaceInterpolator, KnowsThePolygonOfAnElement)
 {
   const Stage stage;
-  std::vector<Color> values;
-  for (std::size_t p = 0; p < stage.surface.PolygonCount(); ++p)
+  const SurfaceInterpolator interpolator(stage.tree, stage.surface);
+  for (std::uint32_t p = 0; p < stage.surface.PolygonCount(); ++p)
   {
-    values.push_back(Color(static_cast<double>(p)));
+    const Node& element = stage.tree[stage.surface.elements[p]];
+    EXPECT_EQ(interpolator.PolygonAt(element.patch, element.centre), p);
   }
-  const SurfaceInterpolator radiance(stage.tree, stage.surface, values, true);
-  for (std::size_t p = 0; p < values.size(); ++p)
+  PatchId inactive = 0;
+  while (stage.tree.Patches()[inactive].IsActive())
   {
-    const NodeId element = stage.surface.elements[p];
-    EXPECT_EQ(radiance.At(stage.tree[element].patch, stage.tree[element].centre), values[p]);
+    ++inactive;
   }
+  EXPECT_EQ(interpolator.PolygonAt(inactive, Vec3(2.2, 0.2, 0.0)), None);
 }
 
 Camera FacingTheSquare()
@@ -169,7 +171,7 @@ TEST(RenderElements, PutsThePictureTheRightWayRound)
 TEST(RenderElements, AntialiasingGivesTheCoveredFraction)
 {
   const Stage stage;
-  const std::vector<Color> values(stage.surface.PolygonCount(), Color(1.0));
+  const std::vector<Color> values(stage.surface.points.size(), Color(1.0));
   ElementImageSettings settings;
   settings.width = settings.height = 1;
   settings.samplesPerPixel = 4096;
@@ -182,7 +184,7 @@ TEST(RenderElements, AntialiasingGivesTheCoveredFraction)
 TEST(RenderElements, BacksOfOneSidedFacetsAreBlack)
 {
   const Stage stage;
-  const std::vector<Color> values(stage.surface.PolygonCount(), Color(1.0));
+  const std::vector<Color> values(stage.surface.points.size(), Color(1.0));
   ElementImageSettings settings;
   settings.width = settings.height = 1;
   settings.pixelCentres = true;
@@ -204,9 +206,9 @@ TEST(RenderElements, IsTheSameForAnyNumberOfThreads)
 {
   const Stage stage;
   std::vector<Color> values;
-  for (std::size_t p = 0; p < stage.surface.PolygonCount(); ++p)
+  for (std::size_t i = 0; i < stage.surface.points.size(); ++i)
   {
-    values.push_back(Color(ToUnit(Hash(p))));
+    values.push_back(Color(ToUnit(Hash(i))));
   }
   ElementImageSettings settings;
   settings.width = 33;

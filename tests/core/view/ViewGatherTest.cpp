@@ -171,7 +171,7 @@ TEST(ViewGather, IsTheSameToTheBitForAnyNumberOfThreads)
   {
     EXPECT_EQ(view.radiance.pixels, views[0].radiance.pixels);
     EXPECT_EQ(view.depth, views[0].depth);
-    EXPECT_EQ(view.elementId, views[0].elementId);
+    EXPECT_EQ(view.patch, views[0].patch);
     EXPECT_EQ(view.report.gatherRays, views[0].report.gatherRays);
     EXPECT_EQ(view.report.errorEstimate, views[0].report.errorEstimate);
   }
@@ -189,7 +189,7 @@ TEST(ViewGather, AnotherSeedGivesAnotherImageWithinTheError)
   EXPECT_LT(difference, 2.0 * settings.error);
 }
 
-TEST(ViewGather, DepthAndElementsAreThoseOfThePixelCentres)
+TEST(ViewGather, DepthAndPatchesAreThoseOfThePixelCentres)
 {
   const GatherStage stage = SolvedRoom();
   for (const bool centres : { true, false })
@@ -204,8 +204,7 @@ TEST(ViewGather, DepthAndElementsAreThoseOfThePixelCentres)
         const std::size_t pixel = y * 32 + x;
         const double depth = glm::distance(hit->point, RoomCamera().eye);
         ASSERT_NEAR(view.depth[pixel], depth, 1e-6 * depth);
-        const auto leaf = stage.solution.LeafAt(hit->Patch(), hit->point);
-        ASSERT_EQ(view.elementId[pixel], stage.solution.elements[leaf].node);
+        ASSERT_EQ(view.patch[pixel], hit->Patch());
       }
     }
   }
@@ -302,7 +301,7 @@ TEST(ViewGather, InactiveSidesAreBlackAndBringNoLight)
     const GatheredView view = stage.Gather(outside, Pixels(8, 8, centres));
     EXPECT_EQ(view.radiance.At(4, 4), Color(0.0));
     EXPECT_NEAR(view.depth[4 * 8 + 4], 2.0, 0.1);
-    EXPECT_EQ(view.elementId[4 * 8 + 4], None);
+    EXPECT_EQ(view.patch[4 * 8 + 4], None);
   }
 }
 
@@ -320,7 +319,7 @@ TEST(ViewGather, ACameraMaySeeNothing)
     {
       EXPECT_EQ(view.radiance.pixels[pixel], Color(0.0));
       EXPECT_EQ(view.depth[pixel], std::numeric_limits<float>::infinity());
-      EXPECT_EQ(view.elementId[pixel], None);
+      EXPECT_EQ(view.patch[pixel], None);
     }
     EXPECT_EQ(view.report.errorEstimate, 0.0);
     EXPECT_EQ(view.report.gatherRays, 0u);

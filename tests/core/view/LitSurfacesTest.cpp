@@ -1,0 +1,263 @@
+#include "core/view/LitSurfaces.h"
+
+#include "core/formfactor/FormFactor.h"
+#include "core/view/GatherStage.h"
+#include "core/view/SecondLook.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+namespace vantage
+{
+namespace
+{
+
+using test::AddMaterial;
+using test::GatherStage;
+
+const Color Albedo(0.6, 0.5, 0.4);
+const Color Emission(9.0, 8.0, 7.0);
+const Color Reflected(0.3, 0.2, 0.1);
+
+/// A horizontal square about a centre, facing down unless its edge is negative.
+void AddSquare(Scene& scene, const Vec3& centre, double edge, std::uint32_t material)
+{
+  const double x = 0.5 * std::abs(edge);
+  const double y = -0.5 * edge;
+  scene.AddPolygon({ centre + Vec3(-x, -y, 0.0), centre + Vec3(x, -y, 0.0),
+                     centre + Vec3(x, y, 0.0), centre + Vec3(-x, y, 0.0) },
+    material);
+}
+
+/// A floor (facet 0, its upper side patch 0) below lamps in a row, the first above the origin.
+Scene MakeFloorBelowLamps(int lamps)
+{
+  Scene scene;
+  const std::uint32_t grey = AddMaterial(scene, Albedo, Color(0.0), false);
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Emission, false);
+  AddSquare(scene, Vec3(0.0), -8.0, grey);
+  for (int i = 0; i < lamps; ++i)
+  {
+    AddSquare(scene, Vec3(0.4 * i, 0.0, 1.0), 0.3, lamp);
+  }
+  return scene;
+}
+
+Color AllButEmission(PatchId)
+{
+  return Reflected;
+}
+
+/// What a ray meets.
+Hit Met(const GatherStage& stage, const Vec3& from, const Vec3& direction)
+{
+  return stage.occluders.Intersect(from, direction).value();
+}
+
+/// The point of the floor at the origin, seen from above.
+Hit FloorHit(const GatherStage& stage)
+{
+  return Met(stage, Vec3(0.0, 0.0, 0.1), Vec3(0.0, 0.0, -1.0));
+}
+
+RadianceSolution::Element& ElementOf(GatherStage& stage, const Hit& hit)
+{
+  return stage.solution.elements[stage.solution.elementOfPatch[hit.Patch()]];
+}
+
+/// What the origin reflects of the lamps when nothing hides them.
+Color Unhidden(const GatherStage& stage)
+{
+  double factor = 0.0;
+  for (const PatchId lamp : stage.solution.lamps)
+  {
+    factor += PointToPolygon(Vec3(0.0), Vec3(0, 0, 1), ShapeOf(stage.occluders, lamp));
+  }
+  return Albedo / Pi * factor * Emission;
+}
+
+TEST(LitSurfaces, AddsTheClosedFormOfALampToTheRest)
+{
+  const GatherStage stage(MakeFloorBelowLamps(3), AllButEmission);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const Color expected = Reflected + Unhidden(stage);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+  {
+    std::uint64_t shadowRays = 0;
+    const Color found = lit.Radiance(FloorHit(stage), 0, seed, shadowRays);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(found[c], expected[c], 1e-12) << "seed " << seed; // round-off
+    }
+    EXPECT_EQ(shadowRays, 3u);
+  }
+}
+
+TEST(LitSurfaces, ALampThatIsNotNamedGivesNothingHere)
+{
+  GatherStage stage(MakeFloorBelowLamps(1), AllButEmission);
+  RadianceSolution::Element& floor = ElementOf(stage, FloorHit(stage));
+  floor.lastLamp = floor.firstLamp;
+  std::uint64_t shadowRays = 0;
+  EXPECT_EQ(
+    LitSurfaces(stage.occluders, stage.solution).Radiance(FloorHit(stage), 0, 1, shadowRays),
+    Reflected);
+  EXPECT_EQ(shadowRays, 0u);
+}
+
+TEST(LitSurfaces, AnInactiveSideIsBlack)
+{
+  const GatherStage stage(MakeFloorBelowLamps(1), AllButEmission);
+  const Hit below = Met(stage, Vec3(0.0, 0.0, -0.1), Vec3(0.0, 0.0, 1.0));
+  std::uint64_t shadowRays = 0;
+  EXPECT_EQ(
+    LitSurfaces(stage.occluders, stage.solution).Radiance(below, 0, 1, shadowRays), Color(0.0));
+  EXPECT_EQ(shadowRays, 0u);
+}
+
+/// The mean over the samples of one seed, red channel, and the standard error of it, were they
+/// independent.
+struct MeanRadiance
+{
+  double mean = 0.0;
+  double error = 0.0;
+  std::uint64_t shadowRays = 0;
+
+  MeanRadiance(
+    const GatherStage& stage, const LitSurfaces& lit, std::uint32_t samples, std::uint64_t seed)
+  {
+    const Hit hit = FloorHit(stage);
+    double squares = 0.0;
+    for (std::uint32_t i = 0; i < samples; ++i)
+    {
+      const double value = lit.Radiance(hit, i, seed, this->shadowRays).x;
+      this->mean += value / samples;
+      squares += value * value / samples;
+    }
+    this->error = std::sqrt(std::max(0.0, squares - this->mean * this->mean) / samples);
+  }
+};
+
+TEST(LitSurfaces, OfAHalfHiddenLampHalfIsSeen)
+{
+  Scene scene = MakeFloorBelowLamps(1);
+  // Hides all of the lamp on one side of the vertical plane through its middle.
+  AddSquare(scene, Vec3(1.0, 0.0, 0.5), 2.0, 0);
+  const GatherStage stage(scene, AllButEmission);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const double all = Unhidden(stage).x;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const MeanRadiance found(stage, lit, 1024, seed);
+    ASSERT_GT(found.error, 0.0);
+    EXPECT_NEAR(found.mean - Reflected.x, 0.5 * all, 4.0 * found.error) << "seed " << seed;
+  }
+}
+
+TEST(LitSurfaces, AHiddenLampGivesNothing)
+{
+  Scene scene = MakeFloorBelowLamps(1);
+  AddSquare(scene, Vec3(0.0, 0.0, 0.5), 2.0, 0);
+  const GatherStage stage(scene, AllButEmission);
+  const MeanRadiance found(stage, LitSurfaces(stage.occluders, stage.solution), 64, 1);
+  EXPECT_NEAR(found.mean, Reflected.x, 1e-12); // round-off of the mean
+  EXPECT_EQ(found.shadowRays, 64u);
+}
+
+TEST(LitSurfaces, SomeOfManyLampsStandForAll)
+{
+  const GatherStage stage(MakeFloorBelowLamps(30), AllButEmission);
+  ASSERT_GT(stage.solution.lamps.size(), LitSurfaces::MostLamps);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const double all = Unhidden(stage).x;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const MeanRadiance found(stage, lit, 4096, seed);
+    EXPECT_NEAR(found.mean - Reflected.x, all, 4.0 * found.error) << "seed " << seed;
+    EXPECT_LE(found.shadowRays, 4096u * LitSurfaces::MostLamps);
+    // Lamps are drawn as they are likely to give: the near ones, which give most, always.
+    EXPECT_LT(found.error * std::sqrt(4096.0), 0.3 * all) << "seed " << seed;
+  }
+}
+
+/// A closed room of one albedo in which everything reflects the same radiance, without lamps.
+GatherStage MakeEvenRoom()
+{
+  Scene scene;
+  test::AddRoom(scene, Vec3(0.0), Vec3(1.0), AddMaterial(scene, Albedo));
+  return GatherStage(scene, AllButEmission);
+}
+
+Color RadianceAt(const LitSurfaces& lit, const Hit& hit)
+{
+  std::uint64_t shadowRays = 0;
+  return lit.Radiance(hit, 0, 1, shadowRays);
+}
+
+TEST(SecondLook, GivesElementsThatWereMetTheMeanOfWhatTheySee)
+{
+  const GatherStage stage = MakeEvenRoom();
+  LitSurfaces lit(stage.occluders, stage.solution);
+  const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
+  const Hit again = Met(stage, Vec3(0.8, 0.6, 0.5), Vec3(0.0, 0.0, -1.0));
+  const SecondLookCounts counts =
+    LookAgain(stage.occluders, stage.solution, { floor, again }, 16, 1, lit);
+  EXPECT_EQ(counts.rays, 32u);
+  EXPECT_EQ(counts.shadowRays, 0u);
+  // All 32 rays see the same; the solution counts as four.
+  const Color expected = (32.0 * Albedo * Reflected + 4.0 * Reflected) / 36.0;
+  const Color found = RadianceAt(lit, floor);
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(found[c], expected[c], 1e-12); // round-off
+  }
+  // The ceiling was not met.
+  EXPECT_EQ(RadianceAt(lit, Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, 1.0))), Reflected);
+}
+
+TEST(SecondLook, KeepsWhatUnnamedLampsGive)
+{
+  GatherStage stage = MakeEvenRoom();
+  const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
+  const auto look = [&]
+  {
+    LitSurfaces lit(stage.occluders, stage.solution);
+    LookAgain(stage.occluders, stage.solution, { floor }, 12, 1, lit);
+    return RadianceAt(lit, floor);
+  };
+  const Color without = look();
+  const Color irradiance(3.0, 2.0, 1.0);
+  ElementOf(stage, floor).unnamedDirect = irradiance;
+  const Color gain = look() - without;
+  for (int c = 0; c < 3; ++c)
+  {
+    // The 12 rays count with the four of the solution.
+    EXPECT_NEAR(gain[c], 0.75 * Albedo[c] / Pi * irradiance[c], 1e-12); // round-off
+  }
+}
+
+TEST(SecondLook, TheNumberOfThreadsChangesNothing)
+{
+  const GatherStage stage(MakeFloorBelowLamps(3), AllButEmission);
+  std::vector<Hit> hits;
+  for (int i = 0; i < 200; ++i)
+  {
+    hits.push_back(Met(stage, Vec3(0.01 * i - 1.0, 0.2, 0.1), Vec3(0.0, 0.0, -1.0)));
+  }
+  const auto look = [&](int threads)
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    LitSurfaces lit(stage.occluders, stage.solution);
+    LookAgain(stage.occluders, stage.solution, hits, 8, 1, lit);
+    return RadianceAt(lit, FloorHit(stage));
+  };
+  const Color expected = look(1);
+  EXPECT_NE(expected, RadianceAt(LitSurfaces(stage.occluders, stage.solution), FloorHit(stage)));
+  EXPECT_EQ(look(2), expected);
+  EXPECT_EQ(look(4), expected);
+}
+
+} // namespace
+} // namespace vantage
