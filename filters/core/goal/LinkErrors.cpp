@@ -12,11 +12,11 @@ namespace
 /// Measured: vantage-benchmarks study, all scenes and random rooms, asked errors of 10, 5, 2 and
 /// 1 %, so that nineteen pictures of twenty keep what was asked, at the least cost. Uncertainties
 /// are upper bounds where rays agree, and deviations where they do not.
-constexpr double OfSurfaces = 0.6;
-constexpr double OfClusters = 0.1;
-constexpr double OfUnnamed = 0.5;
-constexpr double OfNode = 1.2;
-constexpr double OfAllNodes = 0.024;
+constexpr double OfSurfaces = 0.36;
+constexpr double OfClusters = 0.06;
+constexpr double OfUnnamed = 0.3;
+constexpr double OfNode = 0.72;
+constexpr double OfAllNodes = 0.0144;
 
 /// The parts of the error of one link.
 struct Parts

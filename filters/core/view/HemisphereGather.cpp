@@ -29,7 +29,9 @@ HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSur
     const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
     if (const auto hit = occluders.Intersect(point, direction, facet))
     {
-      sum += surfaces.Radiance(*hit, i, Hash(seed, 1), estimate.shadowRays);
+      const LitRadiance radiance = surfaces.Radiance(*hit, i, Hash(seed, 1), estimate.shadowRays);
+      estimate.indirect += radiance.indirect * (Pi / rays);
+      sum += radiance.direct + radiance.indirect;
     }
     if (i + 1 == half)
     {
@@ -42,22 +44,6 @@ HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSur
                      ? NoiseOfWhole * Mean(glm::abs(sumOfHalf * (Pi / half) - estimate.irradiance))
                      : Mean(estimate.irradiance);
   return estimate;
-}
-
-std::vector<Hit> HitsAround(const OccluderScene& occluders, PatchId patch, const Vec3& point,
-  const Vec3& normal, std::uint32_t rays, std::uint64_t seed)
-{
-  const Frame frame(normal);
-  std::vector<Hit> hits;
-  for (std::uint32_t i = 0; i < rays; ++i)
-  {
-    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
-    if (const auto hit = occluders.Intersect(point, direction, patch / 2))
-    {
-      hits.push_back(*hit);
-    }
-  }
-  return hits;
 }
 
 } // namespace vantage

@@ -14,6 +14,7 @@ namespace vantage
 struct HemisphereEstimate
 {
   Color irradiance{ 0.0 }; ///< W m^-2
+  Color indirect{ 0.0 };   ///< its part that came from more than one reflection
   double noise = 0.0;      ///< guess at the standard error, mean of channels; see below
   std::uint64_t shadowRays = 0;
 };
@@ -27,9 +28,5 @@ struct HemisphereEstimate
 /// of two is spread best Unbiased over the seeds. O(rays log n).
 HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
   PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
-
-/// What so many of these rays meet.
-std::vector<Hit> HitsAround(const OccluderScene& occluders, PatchId patch, const Vec3& point,
-  const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
 
 } // namespace vantage

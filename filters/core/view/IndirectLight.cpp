@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace vantage
 {
@@ -28,13 +28,13 @@ constexpr double RaysAtOnePercent = 72.0;
 constexpr double RaysExponent = 1.33;
 constexpr std::uint32_t LeastRays = 16;
 constexpr std::uint32_t MostRays = 4096;
-/// Rays of each point that find what counts.
-constexpr std::uint32_t RaysAround = 8;
-/// Of what these meet, the looks together take so many rays that the error of their mean is a part
-/// of the one that is asked for: the relative noise of a ray over that error, squared.
-constexpr double NoiseOfLook = 0.5;
-constexpr double LeastRaysOfHit = 2.0;
-constexpr double MostRaysOfHit = 256.0;
+/// Rays that find what counts, at least and at most.
+constexpr double LeastRaysAround = 2048.0;
+constexpr double MostRaysAround = 65536.0;
+/// From what these meet, the looks together take so many rays that the error of their mean is a
+/// part of the one that is asked for: the relative noise of a ray over that error, squared.
+constexpr double NoiseOfLook = 1.0;
+constexpr std::uint32_t RaysOfHit = 4;
 /// Part of the error that may come from the interpolation: to start with, and in the end, if the
 /// estimate of the whole is not met before.
 constexpr double ShareOfModel = 0.4;
@@ -133,39 +133,55 @@ private:
   double UsualWeight = 0.0; ///< of the cells to start with
 };
 
-/// Finds what counts for the spots, by a few rays from each, and betters what is known of that.
-void IndirectGatherer::LookAround(IndirectReport& report)
+/// So many of the spots, in order, each as often as its weight says.
+std::vector<std::uint32_t> DrawSpots(const std::vector<IndirectSpot>& spots, std::uint32_t count)
 {
-  std::vector<std::uint32_t> points;
-  for (const IndirectSurface& surface : this->Surfaces)
+  double sum = 0.0;
+  for (const IndirectSpot& spot : spots)
   {
-    for (const IndirectSurface::Cell& cell : surface.Cells())
+    sum += spot.weight;
+  }
+  std::vector<std::uint32_t> drawn;
+  double walked = 0.0;
+  for (std::uint32_t i = 0; i < spots.size() && sum > 0.0; ++i)
+  {
+    walked += spots[i].weight;
+    while (drawn.size() < count && (drawn.size() + 0.5) * sum < walked * count)
     {
-      points.push_back(surface.Spot(cell.point).index);
+      drawn.push_back(i);
     }
   }
-  std::vector<std::vector<Hit>> around(points.size());
-  tbb::parallel_for(std::size_t(0), points.size(),
+  return drawn;
+}
+
+/// Finds what counts for the spots, by rays from some of them, and betters what is known of that.
+void IndirectGatherer::LookAround(IndirectReport& report)
+{
+  const double looks = std::pow(NoiseOfLook / this->Settings.error, 2);
+  const std::vector<std::uint32_t> drawn = DrawSpots(*this->Spots,
+    static_cast<std::uint32_t>(std::clamp(looks / RaysOfHit, LeastRaysAround, MostRaysAround)));
+  std::vector<std::optional<Hit>> met(drawn.size());
+  tbb::parallel_for(std::size_t(0), drawn.size(),
     [&](std::size_t k)
     {
-      const IndirectSpot& spot = (*this->Spots)[points[k]];
-      around[k] =
-        HitsAround(*this->Occluders, spot.patch, spot.point, NormalOf(*this->Occluders, spot.patch),
-          RaysAround, Hash(this->Settings.seed, points[k], 1));
+      const IndirectSpot& spot = (*this->Spots)[drawn[k]];
+      const Frame frame(NormalOf(*this->Occluders, spot.patch));
+      const Vec2 u = RandomStream(this->Settings.seed, k, 1).Next2();
+      met[k] =
+        this->Occluders->Intersect(spot.point, frame.ToWorld(CosineHemisphere(u)), spot.patch / 2);
     });
   std::vector<Hit> hits;
-  for (const std::vector<Hit>& some : around)
+  for (const std::optional<Hit>& hit : met)
   {
-    std::copy_if(some.begin(), some.end(), std::back_inserter(hits),
-      [this](const Hit& hit) { return this->Solution->IsActive(hit.Patch()); });
+    if (hit && this->Solution->IsActive(hit->Patch()))
+    {
+      hits.push_back(*hit);
+    }
   }
-  const double looks = std::pow(NoiseOfLook / this->Settings.error, 2);
-  const double ofHit =
-    std::clamp(std::ceil(looks / (hits.size() + 1.0)), LeastRaysOfHit, MostRaysOfHit);
-  const SecondLookCounts counts = LookAgain(*this->Occluders, *this->Solution, hits,
-    static_cast<std::uint32_t>(ofHit), Hash(this->Settings.seed, 2), this->Lit);
-  report.gatherRays += points.size() * RaysAround + counts.rays;
-  report.shadowRays += counts.shadowRays;
+  const SecondLook look = LookAgain(
+    *this->Occluders, *this->Solution, hits, RaysOfHit, Hash(this->Settings.seed, 2), this->Lit);
+  report.gatherRays += drawn.size() + look.rays;
+  report.shadowRays += look.shadowRays;
 }
 
 /// Gathers at the points of all cells that have not been measured.

@@ -21,10 +21,10 @@ LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution&
   : Occluders(&occluders)
   , Solution(&solution)
 {
-  this->Indirect.reserve(solution.elements.size());
+  this->OfElements.reserve(solution.elements.size());
   for (const RadianceSolution::Element& element : solution.elements)
   {
-    this->Indirect.push_back(element.indirect);
+    this->OfElements.push_back(element.indirect);
   }
   std::vector<PatchId> patches = solution.lamps;
   std::sort(patches.begin(), patches.end());
@@ -47,20 +47,20 @@ LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution&
   }
 }
 
-Color LitSurfaces::Radiance(
+LitRadiance LitSurfaces::Radiance(
   const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const
 {
   const RadianceSolution& solution = *this->Solution;
   const PatchId patch = hit.Patch();
   if (!solution.IsActive(patch))
   {
-    return Color(0.0);
+    return {};
   }
   const RadianceSolution::NodeIndex leaf = solution.LeafAt(patch, hit.point);
   const RadianceSolution::Element& element = solution.elements[leaf];
   if (element.firstLamp == element.lastLamp)
   {
-    return this->Indirect[leaf];
+    return { Color(0.0), this->OfElements[leaf] };
   }
   const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, patch) };
   Color irradiance(0.0);
@@ -78,7 +78,7 @@ Color LitSurfaces::Radiance(
         this->Factor(lamp, point, index, Hash(seed, lamp.facet), shadowRays) * lamp.emission;
     }
   }
-  return this->Indirect[leaf] + solution.albedo[patch] / Pi * irradiance;
+  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf] };
 }
 
 /// Irradiance that the lamp would give were it a point and nothing in the way, never nought.

@@ -12,6 +12,13 @@
 namespace vantage
 {
 
+/// Radiance of a surface that it reflects, W m^-2 sr^-1.
+struct LitRadiance
+{
+  Color direct{ 0.0 };   ///< of light straight from named lamps
+  Color indirect{ 0.0 }; ///< of all other light
+};
+
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
 /// lamps is computed at the point: closed form, times one shadow ray to each; from more than
 /// `MostLamps` so many are drawn, the more often the more they are likely to give. The rest, what
@@ -25,18 +32,26 @@ public:
 
   LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution);
 
-  /// An estimate, W m^-2 sr^-1. Its mean over seeds is the visible fraction of a lamp times the
+  /// An estimate. Its mean over seeds is the visible fraction of a lamp times the
   /// whole of it, which is right but where a lamp as close as its own size is hidden in part: this
-  /// is what noise in rooms that a lamp does not reach would cost. (0,0,0) on an inactive side.
+  /// is what noise in rooms that a lamp does not reach would cost. Black on an inactive side.
   /// `index` and `seed` name the sample; those of one seed are spread well. Adds to `shadowRays`
   /// what it traces. Pure.
-  Color Radiance(
+  LitRadiance Radiance(
     const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
 
-  /// Another value for RadianceSolution::Element::indirect of a leaf.
+  /// RadianceSolution::Element::indirect of a leaf, or what it was replaced by.
+  const Color& Indirect(RadianceSolution::NodeIndex leaf) const { return this->OfElements[leaf]; }
   void SetIndirect(RadianceSolution::NodeIndex leaf, const Color& radiance)
   {
-    this->Indirect[leaf] = radiance;
+    this->OfElements[leaf] = radiance;
+  }
+  void ScaleIndirect(double factor)
+  {
+    for (Color& radiance : this->OfElements)
+    {
+      radiance *= factor;
+    }
   }
 
 private:
@@ -65,7 +80,7 @@ private:
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
-  std::vector<Color> Indirect; ///< of each element
+  std::vector<Color> OfElements; ///< indirect radiance of each
   std::vector<Lamp> Lamps;
   std::vector<std::uint32_t> LampOfEntry; ///< of each entry of RadianceSolution::lamps
 };

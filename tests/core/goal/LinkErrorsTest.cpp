@@ -105,7 +105,7 @@ TEST(LinkErrors, ANamedLampDoesNotErrWhereItIsIntegratedOnceMore)
                g.Between(2, 3, 0.1, 0.0, 0.0) })
       .all;
   const double radiance = Mean(g.radiance.Value(g.surfaces[1]));
-  EXPECT_GT(ofSurface, 0.5 * 0.02 * radiance * importance);
+  EXPECT_GT(ofSurface, 0.3 * 0.02 * radiance * importance);
   // What is left: light that goes to and fro between surfaces 2 and 3 and arrives once more.
   EXPECT_LT(ofLamp, 0.05 * 0.02 * importance);
 }
@@ -171,7 +171,7 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   link.uncertainty = 0.4;
   const double once = EstimateLinkErrors(tree, { link }, radiance, importance).all;
   const double thrice = EstimateLinkErrors(tree, { link, link, link }, radiance, importance).all;
-  EXPECT_GE(once, 0.5 * 0.4 * Mean(tree[lamps].emission) * 0.1);
+  EXPECT_GE(once, 0.3 * 0.4 * Mean(tree[lamps].emission) * 0.1);
   EXPECT_NEAR(thrice, 3.0 * once, 1e-12 * once);
 }
 

@@ -86,7 +86,9 @@ TEST(LitSurfaces, AddsTheClosedFormOfALampToTheRest)
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
   {
     std::uint64_t shadowRays = 0;
-    const Color found = lit.Radiance(FloorHit(stage), 0, seed, shadowRays);
+    const LitRadiance parts = lit.Radiance(FloorHit(stage), 0, seed, shadowRays);
+    EXPECT_EQ(parts.indirect, Reflected);
+    const Color found = parts.direct + parts.indirect;
     for (int c = 0; c < 3; ++c)
     {
       EXPECT_NEAR(found[c], expected[c], 1e-12) << "seed " << seed; // round-off
@@ -101,9 +103,10 @@ TEST(LitSurfaces, ALampThatIsNotNamedGivesNothingHere)
   RadianceSolution::Element& floor = ElementOf(stage, FloorHit(stage));
   floor.lastLamp = floor.firstLamp;
   std::uint64_t shadowRays = 0;
-  EXPECT_EQ(
-    LitSurfaces(stage.occluders, stage.solution).Radiance(FloorHit(stage), 0, 1, shadowRays),
-    Reflected);
+  const LitRadiance found =
+    LitSurfaces(stage.occluders, stage.solution).Radiance(FloorHit(stage), 0, 1, shadowRays);
+  EXPECT_EQ(found.direct, Color(0.0));
+  EXPECT_EQ(found.indirect, Reflected);
   EXPECT_EQ(shadowRays, 0u);
 }
 
@@ -112,8 +115,9 @@ TEST(LitSurfaces, AnInactiveSideIsBlack)
   const GatherStage stage(MakeFloorBelowLamps(1), AllButEmission);
   const Hit below = Met(stage, Vec3(0.0, 0.0, -0.1), Vec3(0.0, 0.0, 1.0));
   std::uint64_t shadowRays = 0;
-  EXPECT_EQ(
-    LitSurfaces(stage.occluders, stage.solution).Radiance(below, 0, 1, shadowRays), Color(0.0));
+  const LitRadiance found =
+    LitSurfaces(stage.occluders, stage.solution).Radiance(below, 0, 1, shadowRays);
+  EXPECT_EQ(found.direct + found.indirect, Color(0.0));
   EXPECT_EQ(shadowRays, 0u);
 }
 
@@ -132,7 +136,8 @@ struct MeanRadiance
     double squares = 0.0;
     for (std::uint32_t i = 0; i < samples; ++i)
     {
-      const double value = lit.Radiance(hit, i, seed, this->shadowRays).x;
+      const LitRadiance radiance = lit.Radiance(hit, i, seed, this->shadowRays);
+      const double value = radiance.direct.x + radiance.indirect.x;
       this->mean += value / samples;
       squares += value * value / samples;
     }
@@ -193,7 +198,8 @@ GatherStage MakeEvenRoom()
 Color RadianceAt(const LitSurfaces& lit, const Hit& hit)
 {
   std::uint64_t shadowRays = 0;
-  return lit.Radiance(hit, 0, 1, shadowRays);
+  const LitRadiance radiance = lit.Radiance(hit, 0, 1, shadowRays);
+  return radiance.direct + radiance.indirect;
 }
 
 TEST(SecondLook, GivesElementsThatWereMetTheMeanOfWhatTheySee)
@@ -202,10 +208,10 @@ TEST(SecondLook, GivesElementsThatWereMetTheMeanOfWhatTheySee)
   LitSurfaces lit(stage.occluders, stage.solution);
   const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
   const Hit again = Met(stage, Vec3(0.8, 0.6, 0.5), Vec3(0.0, 0.0, -1.0));
-  const SecondLookCounts counts =
-    LookAgain(stage.occluders, stage.solution, { floor, again }, 16, 1, lit);
-  EXPECT_EQ(counts.rays, 32u);
-  EXPECT_EQ(counts.shadowRays, 0u);
+  const SecondLook look = LookAgain(stage.occluders, stage.solution, { floor, again }, 16, 1, lit);
+  EXPECT_EQ(look.rays, 32u);
+  EXPECT_EQ(look.shadowRays, 0u);
+  EXPECT_EQ(look.correction, 1.0);
   // All 32 rays see the same; the solution counts as four.
   const Color expected = (32.0 * Albedo * Reflected + 4.0 * Reflected) / 36.0;
   const Color found = RadianceAt(lit, floor);
@@ -236,6 +242,61 @@ TEST(SecondLook, KeepsWhatUnnamedLampsGive)
     // The 12 rays count with the four of the solution.
     EXPECT_NEAR(gain[c], 0.75 * Albedo[c] / Pi * irradiance[c], 1e-12); // round-off
   }
+}
+
+/// Of a solution that has but `part` of the light there is, the same everywhere. Of each element,
+/// light comes from unnamed lamps, and I = albedo (U / pi + I).
+double CorrectionFor(double part, std::size_t hits)
+{
+  GatherStage stage = MakeEvenRoom();
+  const Color irradiance(3.0);
+  for (RadianceSolution::Element& element : stage.solution.elements)
+  {
+    element.unnamedDirect = irradiance;
+    element.indirect = part * Albedo / (1.0 - Albedo) * irradiance / Pi;
+  }
+  const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
+  LitSurfaces lit(stage.occluders, stage.solution);
+  const Hit ceiling = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, 1.0));
+  const Color before = RadianceAt(lit, ceiling);
+  const SecondLook look =
+    LookAgain(stage.occluders, stage.solution, std::vector<Hit>(hits, floor), 2, 1, lit);
+  // What was not met is corrected as well.
+  EXPECT_NEAR(RadianceAt(lit, ceiling).y, look.correction * before.y, 1e-12);
+  return look.correction;
+}
+
+TEST(SecondLook, CorrectsASolutionThatDoesNotAgreeWithItself)
+{
+  for (const double part : { 0.7, 0.9, 1.0, 1.3 })
+  {
+    EXPECT_NEAR(CorrectionFor(part, 100), 1.0 / part, 1e-9) << part; // round-off
+  }
+  EXPECT_EQ(CorrectionFor(0.2, 100), 2.0); // bounds
+  EXPECT_EQ(CorrectionFor(5.0, 100), 0.5);
+  EXPECT_EQ(CorrectionFor(0.9, 10), 1.0); // too few to tell
+}
+
+/// Light that one ray in many finds: the few that do say nothing for sure.
+TEST(SecondLook, NoiseIsNoReasonForACorrection)
+{
+  GatherStage stage = MakeEvenRoom();
+  const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
+  const Hit wall = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(1.0, 0.0, 0.0));
+  RadianceSolution::Element& lit = ElementOf(stage, wall);
+  lit.indirect = Color(100.0);
+  ElementOf(stage, floor).unnamedDirect = Color(0.01);
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    LitSurfaces surfaces(stage.occluders, stage.solution);
+    const double correction =
+      LookAgain(stage.occluders, stage.solution, std::vector<Hit>(64, floor), 1, seed, surfaces)
+        .correction;
+    EXPECT_TRUE(correction >= 0.5 && correction <= 2.0);
+    sum += std::abs(correction - 1.0);
+  }
+  EXPECT_LT(sum / 20.0, 0.05);
 }
 
 TEST(SecondLook, TheNumberOfThreadsChangesNothing)

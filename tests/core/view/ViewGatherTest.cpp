@@ -99,9 +99,15 @@ Image BruteForce(const GatherStage& stage, const Camera& camera, int size)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const PatchId patch = points[i].patch;
-    const std::vector<Hit> around =
-      HitsAround(stage.occluders, patch, points[i].point, stage.Normal(patch), 16, Hash(78, i));
-    hits.insert(hits.end(), around.begin(), around.end());
+    const Frame frame(stage.Normal(patch));
+    for (std::uint64_t k = 0; k < 16; ++k)
+    {
+      const Vec3 way = frame.ToWorld(CosineHemisphere(RandomStream(78, i, k).Next2()));
+      if (const auto hit = stage.occluders.Intersect(points[i].point, way, patch / 2))
+      {
+        hits.push_back(*hit);
+      }
+    }
   }
   LitSurfaces lit(stage.occluders, stage.solution);
   LookAgain(stage.occluders, stage.solution, hits, 16, 79, lit);
