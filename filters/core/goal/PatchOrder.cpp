@@ -38,6 +38,12 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
     this->Ranges[node] = { first, static_cast<std::uint32_t>(this->Patches.size()) };
   };
   visit(visit, tree.Root());
+  const std::size_t count = this->Patches.size() + 1;
+  this->AreaBefore.reserve(count);
+  this->PowerBefore.reserve(count);
+  this->SquareBefore.reserve(count);
+  this->AlbedoBefore.reserve(count);
+  this->EmissionBefore.reserve(count);
   this->AreaBefore.push_back(0.0);
   this->PowerBefore.push_back(0.0);
   this->SquareBefore.push_back(0.0);

@@ -33,7 +33,7 @@ public:
       this->Note(link, 0);
       this->Note(link, 1);
     }
-    this->Made.SetPatches(this->Tree.Tree(), this->Tree.Optics());
+    this->Made.SetPatches(this->Tree.Optics());
     this->Made.elements.resize(this->Tree.Size());
   }
 
@@ -105,7 +105,9 @@ private:
       const PatchRange range = this->Tree.RangeOf(id);
       for (std::uint32_t place = range.first; place < range.last; ++place)
       {
-        this->Made.elementOfPatch[this->Tree.Patches()[place]] = id;
+        const PatchId patch = this->Tree.Patches()[place];
+        const ElementTree& tree = this->Tree.Tree();
+        this->Made.StartAt(patch, tree.Shape(tree.Patches()[patch].node), id);
       }
     }
   }

@@ -290,7 +290,8 @@ FacetSet CutAtContacts(FacetSet set)
   const double tolerance = Touching * glm::length(set.high - set.low);
   const std::vector<Facet> facets = std::move(set.facets);
   const Neighbourhood near(facets, tolerance);
-  set.facets.clear();
+  set.facets = {};
+  set.facets.reserve(facets.size());
   for (std::uint32_t f = 0; f < facets.size(); ++f)
   {
     const Plane plane = SupportingPlane(facets[f].shape);
@@ -308,6 +309,7 @@ FacetSet CutAtContacts(FacetSet set)
       set.facets.back().shape = shape;
     }
   }
+  set.facets.shrink_to_fit();
   set.meanArea *= static_cast<double>(facets.size()) / static_cast<double>(set.facets.size());
   return set;
 }

@@ -183,7 +183,8 @@ std::vector<Item> CollectItems(const FacetSet& facets, const std::vector<Materia
 std::vector<Node> MakeClusters(std::vector<Item>& items)
 {
   std::vector<Node> nodes(1);
-  nodes.reserve(2 * items.size() - 1);
+  // Room for elements, so that the first of a large scene does not move all of it.
+  nodes.reserve(2 * items.size() + items.size() / 2 + 1024);
   std::vector<std::pair<Item*, Item*>> ranges{ { items.data(), items.data() + items.size() } };
   ranges.reserve(2 * items.size() - 1);
   for (NodeId id = 0; id < nodes.size(); ++id)
@@ -345,6 +346,11 @@ NodeId ElementTree::Split(NodeId id)
   child.patch = this->Nodes[id].patch;
   child.level = static_cast<std::uint8_t>(this->Nodes[id].level + 1);
   const NodeId first = this->Size();
+  if (this->Nodes.capacity() < this->Nodes.size() + 4)
+  {
+    // Not to twice the size: a view splits but a few of the patches of a large scene.
+    this->Nodes.reserve(this->Nodes.size() + this->Nodes.size() / 4 + 1024);
+  }
   for (const Polygon& quarter : quarters)
   {
     SetShape(child, quarter);

@@ -379,6 +379,23 @@ std::vector<Vec3> CornerPositions(const Scene& scene)
 
 } // namespace
 
+FacetShapes::FacetShapes(const std::vector<Facet>& facets)
+{
+  std::size_t corners = 0;
+  for (const Facet& facet : facets)
+  {
+    corners += facet.shape.Size();
+  }
+  this->Corners.reserve(corners);
+  this->Starts.reserve(facets.size() + 1);
+  for (const Facet& facet : facets)
+  {
+    this->Starts.push_back(static_cast<std::uint32_t>(this->Corners.size()));
+    this->Corners.insert(this->Corners.end(), facet.shape.begin(), facet.shape.end());
+  }
+  this->Starts.push_back(static_cast<std::uint32_t>(this->Corners.size()));
+}
+
 FacetSet BuildFacets(const Scene& scene, double weldTolerance)
 {
   scene.Validate();

@@ -71,6 +71,28 @@ struct FacetSet
   FacetReport report;
 };
 
+/// The shapes alone, packed: a Polygon has room for more corners than a facet has.
+class FacetShapes
+{
+public:
+  explicit FacetShapes(const std::vector<Facet>& facets);
+
+  std::uint32_t Size() const { return static_cast<std::uint32_t>(this->Starts.size() - 1); }
+  Polygon operator[](std::uint32_t facet) const
+  {
+    Polygon shape;
+    for (std::uint32_t i = this->Starts[facet]; i < this->Starts[facet + 1]; ++i)
+    {
+      shape.Add(this->Corners[i]);
+    }
+    return shape;
+  }
+
+private:
+  std::vector<Vec3> Corners;
+  std::vector<std::uint32_t> Starts; ///< of each facet in Corners, and the end
+};
+
 /// Welds vertices closer than `weldTolerance` times the diagonal of the scene, drops what is
 /// degenerate, removes collinear vertices, triangulates what is not a flat convex triangle or
 /// quadrilateral. A facet keeps the front side and the material of its polygon; of facets with the

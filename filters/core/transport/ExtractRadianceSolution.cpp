@@ -153,7 +153,7 @@ RadianceSolution ExtractRadianceSolution(const Transport& transport)
     optics[p] = transport.OpticsOf(p);
   }
   RadianceSolution solution;
-  solution.SetPatches(tree, optics);
+  solution.SetPatches(optics);
   const LampsOfLeaves lamps(transport);
   LampRanges ranges(solution.lamps);
   std::vector<Color> direct = EmissionReceived(transport);
@@ -172,7 +172,7 @@ RadianceSolution ExtractRadianceSolution(const Transport& transport)
     element.reflected = transport.Radiance(id) - optics[node.patch].emission;
     if (node.level == 0)
     {
-      solution.elementOfPatch[node.patch] = id;
+      solution.StartAt(node.patch, tree.Shape(id), id);
     }
     if (node.level > 0)
     {

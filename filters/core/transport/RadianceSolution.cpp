@@ -79,21 +79,24 @@ Vec2 PatchCoordinates::Bilinear(const Vec2& affine) const
   return { slope != 0.0 ? affine.x / slope : affine.x, t };
 }
 
-void RadianceSolution::SetPatches(const ElementTree& tree, const std::vector<PatchOptics>& optics)
+void RadianceSolution::SetPatches(const std::vector<PatchOptics>& optics)
 {
-  const std::size_t count = tree.Patches().size();
-  this->elementOfPatch.assign(count, None);
-  this->coordinates.assign(count, {});
-  this->emission.resize(count);
-  this->albedo.resize(count);
-  for (PatchId p = 0; p < count; ++p)
+  this->elementOfPatch.assign(optics.size(), None);
+  this->coordinatesOfPatch.assign(optics.size(), None);
+  for (const PatchOptics& patch : optics)
   {
-    this->emission[p] = optics[p].emission;
-    this->albedo[p] = optics[p].albedo;
-    if (tree.Patches()[p].IsActive())
-    {
-      this->coordinates[p] = PatchCoordinates(tree.Shape(tree.Patches()[p].node));
-    }
+    this->emission.push_back(patch.emission);
+    this->albedo.push_back(patch.albedo);
+  }
+}
+
+void RadianceSolution::StartAt(PatchId patch, const Polygon& shape, NodeIndex element)
+{
+  this->elementOfPatch[patch] = element;
+  if (this->elements[element].childCount != 0)
+  {
+    this->coordinatesOfPatch[patch] = static_cast<std::uint32_t>(this->coordinates.size());
+    this->coordinates.emplace_back(shape);
   }
 }
 
@@ -105,7 +108,7 @@ RadianceSolution::NodeIndex RadianceSolution::LeafAt(PatchId patch, const Vec3& 
   {
     return index;
   }
-  const PatchCoordinates& map = this->coordinates[patch];
+  const PatchCoordinates& map = this->coordinates[this->coordinatesOfPatch[patch]];
   Vec2 place = map.Of(point);
   while (element->childCount != 0)
   {
@@ -119,7 +122,8 @@ RadianceSolution::NodeIndex RadianceSolution::LeafAt(PatchId patch, const Vec3& 
 std::size_t RadianceSolution::Bytes() const
 {
   return BytesOf(this->elements) + BytesOf(this->elementOfPatch) + BytesOf(this->coordinates) +
-         BytesOf(this->lamps) + BytesOf(this->emission) + BytesOf(this->albedo);
+         BytesOf(this->coordinatesOfPatch) + BytesOf(this->lamps) + BytesOf(this->emission) +
+         BytesOf(this->albedo);
 }
 
 } // namespace vantage

@@ -69,13 +69,16 @@ struct RadianceSolution
 
   std::vector<Element> elements;
   std::vector<NodeIndex> elementOfPatch;     ///< where a patch starts; None for an inactive side
-  std::vector<PatchCoordinates> coordinates; ///< of each patch; see SetPatches()
-  std::vector<PatchId> lamps;                ///< emitting patches, in ranges that elements refer to
-  std::vector<Color> emission;               ///< of each patch, W m^-2 sr^-1
-  std::vector<Color> albedo;                 ///< of each patch
+  std::vector<PatchCoordinates> coordinates; ///< of the patches that were split; see StartAt()
+  std::vector<std::uint32_t> coordinatesOfPatch; ///< index, or None
+  std::vector<PatchId> lamps;  ///< emitting patches, in ranges that elements refer to
+  std::vector<Color> emission; ///< of each patch, W m^-2 sr^-1
+  std::vector<Color> albedo;   ///< of each patch
 
-  /// Coordinates, emission and albedo of the patches of a tree; no patch has elements yet.
-  void SetPatches(const ElementTree& tree, const std::vector<PatchOptics>& optics);
+  /// Emission and albedo of the patches; none has elements yet.
+  void SetPatches(const std::vector<PatchOptics>& optics);
+  /// Where a patch of that shape starts. \pre the element is complete
+  void StartAt(PatchId patch, const Polygon& shape, NodeIndex element);
 
   bool IsActive(PatchId patch) const { return this->elementOfPatch[patch] != None; }
 

@@ -98,7 +98,7 @@ std::vector<Foot> FeetIn(
   const double margin = Standing * glm::length(high - low);
   for (const std::uint32_t facet : occluders.FacetsInBox(low - margin, high + margin))
   {
-    const Polygon& shape = occluders.Shape(facet);
+    const Polygon shape = occluders.Shape(facet);
     const double contact = Standing * RadiusAround(shape, shape[0]);
     Polygon local;
     double highest = 0.0;

@@ -16,42 +16,49 @@ constexpr std::uint32_t LeafSize = 4;
 /// leaves one box a level behind.
 constexpr int StackSize = 64;
 
-/// Twice the middle of a facet's bounding box.
-double DoubleMiddle(const Facet& facet, int axis)
+/// Twice the middle of a shape's bounding box.
+Vec3 DoubleMiddle(const Polygon& shape)
 {
-  double low = facet.shape[0][axis];
-  double high = low;
-  for (const Vec3& v : facet.shape)
+  Vec3 low = shape[0];
+  Vec3 high = shape[0];
+  for (const Vec3& v : shape)
   {
-    low = std::min(low, v[axis]);
-    high = std::max(high, v[axis]);
+    low = glm::min(low, v);
+    high = glm::max(high, v);
   }
   return low + high;
 }
 
 } // namespace
 
-FacetHierarchy::FacetHierarchy(const std::vector<Facet>& facets, double tolerance)
+FacetHierarchy::FacetHierarchy(const FacetShapes& facets, double tolerance)
   : Facets(&facets)
   , Tolerance(tolerance)
-  , Order(facets.size())
+  , Order(facets.Size())
 {
   std::iota(this->Order.begin(), this->Order.end(), 0u);
-  if (!facets.empty())
+  if (facets.Size() > 0)
   {
+    std::vector<Vec3> middles;
+    middles.reserve(facets.Size());
+    for (std::uint32_t f = 0; f < facets.Size(); ++f)
+    {
+      middles.push_back(DoubleMiddle(facets[f]));
+    }
     this->Boxes.resize(1);
-    this->Build(0, 0, static_cast<std::uint32_t>(facets.size()));
+    this->Build(middles, 0, 0, facets.Size());
   }
 }
 
-void FacetHierarchy::Build(std::uint32_t box, std::uint32_t first, std::uint32_t last)
+void FacetHierarchy::Build(
+  const std::vector<Vec3>& middles, std::uint32_t box, std::uint32_t first, std::uint32_t last)
 {
   const auto& facets = *this->Facets;
-  Vec3 low = facets[this->Order[first]].shape[0];
+  Vec3 low = facets[this->Order[first]][0];
   Vec3 high = low;
   for (std::uint32_t i = first; i < last; ++i)
   {
-    for (const Vec3& v : facets[this->Order[i]].shape)
+    for (const Vec3& v : facets[this->Order[i]])
     {
       low = glm::min(low, v);
       high = glm::max(high, v);
@@ -69,15 +76,15 @@ void FacetHierarchy::Build(std::uint32_t box, std::uint32_t first, std::uint32_t
     this->Order.begin() + last,
     [&](std::uint32_t a, std::uint32_t b)
     {
-      const double x = DoubleMiddle(facets[a], axis);
-      const double y = DoubleMiddle(facets[b], axis);
+      const double x = middles[a][axis];
+      const double y = middles[b][axis];
       return x != y ? x < y : a < b;
     });
   const auto children = static_cast<std::uint32_t>(this->Boxes.size());
   this->Boxes[box] = { low, high, children, 0 };
   this->Boxes.resize(children + 2);
-  this->Build(children, first, middle);
-  this->Build(children + 1, middle, last);
+  this->Build(middles, children, first, middle);
+  this->Build(middles, children + 1, middle, last);
 }
 
 bool FacetHierarchy::Reaches(const Box& box, const ConvexRegion& region) const
@@ -131,7 +138,7 @@ bool FacetHierarchy::ForEachIn(
     {
       const std::uint32_t facet = this->Order[i];
       if (!step() ||
-          (ReachesInto((*this->Facets)[facet].shape, region, this->Tolerance) && !visit(facet)))
+          (ReachesInto((*this->Facets)[facet], region, this->Tolerance) && !visit(facet)))
       {
         return false;
       }

@@ -19,7 +19,7 @@ class FacetHierarchy
 {
 public:
   /// Median splits along the longest axis, O(n log n). Keeps a reference to the facets.
-  FacetHierarchy(const std::vector<Facet>& facets, double tolerance);
+  FacetHierarchy(const FacetShapes& facets, double tolerance);
 
   /// Facets that reach deeper than the tolerance into the region, in ascending order.
   std::vector<std::uint32_t> FacetsIn(const ConvexRegion& region) const;
@@ -36,7 +36,8 @@ private:
     std::uint32_t count; ///< facets of a leaf; 0 for an inner box
   };
 
-  void Build(std::uint32_t box, std::uint32_t first, std::uint32_t last);
+  void Build(
+    const std::vector<Vec3>& middles, std::uint32_t box, std::uint32_t first, std::uint32_t last);
   bool Reaches(const Box& box, const ConvexRegion& region) const;
 
   /// Calls visit(facet) for facets that reach into the region and step() for all that is looked
@@ -44,7 +45,7 @@ private:
   template <typename Step, typename Visit>
   bool ForEachIn(const ConvexRegion& region, const Step& step, const Visit& visit) const;
 
-  const std::vector<Facet>* Facets;
+  const FacetShapes* Facets;
   double Tolerance;
   std::vector<Box> Boxes;
   std::vector<std::uint32_t> Order;

@@ -205,7 +205,7 @@ double ToleranceOf(const FacetSet& set)
 
 struct OccluderScene::Implementation
 {
-  std::vector<Facet> facets;
+  FacetShapes shapes;
   Vec3 centre;
   double scale; ///< normalised = (x - centre) * scale
   OccluderList list;
@@ -227,10 +227,10 @@ struct OccluderScene::Implementation
 };
 
 OccluderScene::Implementation::Implementation(const FacetSet& set)
-  : facets(set.facets)
+  : shapes(set.facets)
   , centre(0.5 * (set.low + set.high))
   , scale(1.0 / std::max(glm::length(set.high - set.low), std::numeric_limits<double>::min()))
-  , hierarchy(this->facets, ToleranceOf(set))
+  , hierarchy(this->shapes, ToleranceOf(set))
 {
   this->list.tolerance = ToleranceOf(set) * this->scale;
   this->NormaliseFacets();
@@ -246,10 +246,13 @@ OccluderScene::Implementation::~Implementation()
 void OccluderScene::Implementation::NormaliseFacets()
 {
   const double margin = std::max(SinglePrecisionMargin, 2.0 * this->list.tolerance);
-  for (std::uint32_t f = 0; f < this->facets.size(); ++f)
+  this->list.occluders.reserve(this->shapes.Size());
+  this->list.bounds.reserve(this->shapes.Size());
+  for (std::uint32_t f = 0; f < this->shapes.Size(); ++f)
   {
     Polygon shape;
-    for (const Vec3& v : this->facets[f].shape)
+    const Polygon given = this->shapes[f];
+    for (const Vec3& v : given)
     {
       shape.Add(this->Normalise(v));
     }
@@ -382,12 +385,12 @@ bool OccluderScene::IsProvablyEmpty(const ConvexRegion& region, int effort) cons
 
 std::uint32_t OccluderScene::FacetCount() const
 {
-  return static_cast<std::uint32_t>(this->Impl->facets.size());
+  return this->Impl->shapes.Size();
 }
 
-const Polygon& OccluderScene::Shape(std::uint32_t facet) const
+Polygon OccluderScene::Shape(std::uint32_t facet) const
 {
-  return this->Impl->facets[facet].shape;
+  return this->Impl->shapes[facet];
 }
 
 double OccluderScene::Tolerance() const

@@ -74,7 +74,7 @@ public:
   bool IsProvablyEmpty(const ConvexRegion& region, int effort) const;
 
   std::uint32_t FacetCount() const;
-  const Polygon& Shape(std::uint32_t facet) const;
+  Polygon Shape(std::uint32_t facet) const;
 
   /// Length below which two things touch, in scene units: 1e-9 of the scene's diagonal plus the
   /// rounding of its coordinates (which counts when the scene lies far from the origin).
@@ -88,7 +88,7 @@ private:
 /// The facet of a patch, counter-clockwise from the patch's side.
 inline Polygon ShapeOf(const OccluderScene& occluders, PatchId patch)
 {
-  const Polygon& front = occluders.Shape(patch / 2);
+  const Polygon front = occluders.Shape(patch / 2);
   return patch % 2 == 0 ? front : Reversed(front);
 }
 

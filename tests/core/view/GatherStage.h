@@ -30,7 +30,7 @@ struct GatherStage
     , tree(this->facets, this->scene.materials)
   {
     const std::vector<PatchOptics> optics = this->Optics();
-    this->solution.SetPatches(this->tree, optics);
+    this->solution.SetPatches(optics);
     for (PatchId p = 0; p < optics.size(); ++p)
     {
       if (this->tree.Patches()[p].IsActive() && MaxChannel(optics[p].emission) > 0.0)

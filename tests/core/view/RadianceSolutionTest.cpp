@@ -31,7 +31,7 @@ Scene MakeShapes()
 RadianceSolution SolutionOf(const ElementTree& tree, const std::vector<PatchOptics>& optics)
 {
   RadianceSolution solution;
-  solution.SetPatches(tree, optics);
+  solution.SetPatches(optics);
   solution.elements.resize(tree.Size());
   for (NodeId id = 0; id < tree.Size(); ++id)
   {
@@ -43,7 +43,8 @@ RadianceSolution SolutionOf(const ElementTree& tree, const std::vector<PatchOpti
   }
   for (PatchId p = 0; p < tree.Patches().size(); ++p)
   {
-    solution.elementOfPatch[p] = tree.Patches()[p].node;
+    const NodeId node = tree.Patches()[p].node;
+    solution.StartAt(p, tree.Shape(node), node);
   }
   return solution;
 }
