@@ -8,6 +8,14 @@
 namespace vantage
 {
 
+namespace
+{
+
+/// Bounds of ScaleOfReceived().
+constexpr double LargestScale = 8.0;
+
+} // namespace
+
 void Flow::Follow(const OpenTree& tree)
 {
   for (OpenId id = static_cast<OpenId>(this->Values.size()); id < tree.Size(); ++id)
@@ -31,8 +39,8 @@ void Flow::Clear()
   }
 }
 
-double Flow::Sweep(
-  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure)
+double Flow::Sweep(const OpenTree& tree, const std::vector<Link>& links,
+  const std::vector<double>& closure, bool isBalanced)
 {
   this->Incoming.assign(tree.Size(), Color(0.0));
   this->Variances.assign(tree.Size(), 0.0);
@@ -47,7 +55,8 @@ double Flow::Sweep(
     }
   }
   this->PushDown(tree);
-  const double change = this->ReflectAtLeaves(tree, closure);
+  const double scale = isBalanced ? this->ScaleOfReceived(tree, closure) : 1.0;
+  const double change = this->ReflectAtLeaves(tree, closure, scale);
   this->PullUp(tree);
   return change;
 }
@@ -97,7 +106,25 @@ void Flow::PushDown(const OpenTree& tree)
   }
 }
 
-double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure)
+/// s for which s v = source + s T v in the sum over all.
+double Flow::ScaleOfReceived(const OpenTree& tree, const std::vector<double>& closure) const
+{
+  double source = 0.0;
+  double missing = 0.0;
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    const OpenNode& node = tree[id];
+    if (node.IsLeaf())
+    {
+      const Color received = node.albedo / Pi * closure[id] * this->Incoming[id];
+      source += node.area * Mean(this->Sources[id]);
+      missing += node.area * Mean(this->Values[id] - received);
+    }
+  }
+  return missing > 0.0 ? std::clamp(source / missing, 1.0 / LargestScale, LargestScale) : 1.0;
+}
+
+double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure, double scale)
 {
   double change = 0.0;
   double total = 0.0;
@@ -108,7 +135,7 @@ double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& cl
     {
       continue;
     }
-    this->Incoming[id] *= closure[id];
+    this->Incoming[id] *= scale * closure[id];
     const Color value = this->Sources[id] + node.albedo / Pi * this->Incoming[id];
     change += node.area * std::abs(Mean(value - this->Values[id]));
     total += node.area * Mean(value);

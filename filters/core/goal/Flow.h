@@ -26,8 +26,11 @@ public:
   /// One sweep over all links (Jacobi): the values on the right are those of the last sweep.
   /// Returns the largest change of area times value of all leaves, relative to the sum of it.
   /// O(links + nodes).
-  double Sweep(
-    const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
+  /// `isBalanced` multiplies all that is received by the factor with which it balances the sources
+  /// in the sum over all leaves: of the error, that takes away what is the same everywhere, which
+  /// falls by the albedo only (aggregation to one unknown).
+  double Sweep(const OpenTree& tree, const std::vector<Link>& links,
+    const std::vector<double>& closure, bool isBalanced = false);
 
   /// Finds what came from the sources at one go, for StraightPart(). O(links + nodes).
   void FindStraight(
@@ -65,7 +68,8 @@ public:
 private:
   void Receive(const Link& link, OpenId to, OpenId from, double area);
   void PushDown(const OpenTree& tree);
-  double ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure);
+  double ScaleOfReceived(const OpenTree& tree, const std::vector<double>& closure) const;
+  double ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure, double scale);
   double SpreadOfCluster(OpenId leaf) const;
   void PullUp(const OpenTree& tree);
 

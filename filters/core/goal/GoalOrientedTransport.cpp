@@ -21,6 +21,8 @@ constexpr double SweptPart = 0.02;
 constexpr double LargestEstimate = 0.2;
 constexpr double LeastTolerance = 5e-4;
 constexpr int MostSweeps = 1000;
+/// From one sweep to the next, the change falls by this at least, or else the sums get balanced.
+constexpr double SlowFall = 0.8;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
 
@@ -120,16 +122,20 @@ void GoalOrientedTransport::Converge(Flow& flow)
   const double tolerance =
     std::max(LeastTolerance, SweptPart * std::min(this->Estimate, LargestEstimate));
   double lastChange = 0.0;
+  bool isBalanced = false;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
     ++this->Counts.sweeps;
-    const double change = flow.Sweep(this->Open, this->AllLinks, this->Closure);
+    const double change = flow.Sweep(this->Open, this->AllLinks, this->Closure, isBalanced);
     const double slowing = lastChange - change;
     if (change == 0.0 || (change < tolerance && change * change < tolerance * slowing))
     {
       break;
     }
-    lastChange = change;
+    // A balanced sweep is no member of the series: what comes after it starts a new one.
+    const bool isSlow = lastChange > 0.0 && change > SlowFall * lastChange;
+    lastChange = isBalanced ? 0.0 : change;
+    isBalanced = !isBalanced && isSlow;
   }
 }
 

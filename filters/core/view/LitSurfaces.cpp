@@ -1,9 +1,11 @@
 #include "core/view/LitSurfaces.h"
 
 #include "core/formfactor/FormFactor.h"
+#include "core/math/Sampling.h"
 #include "core/math/ScrambledSobol.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vantage
@@ -14,6 +16,35 @@ namespace
 
 /// A lamp whose centre is below the horizon, or turned away, may still be seen in part.
 constexpr double LeastCosine = 0.05;
+/// Points of a lamp of which one is chosen for the shadow ray: so many where the lamp is as large
+/// as it is far, and at most.
+constexpr double CandidatesAtOnce = 4.0;
+constexpr double MostCandidates = 32.0;
+/// A lamp that fills this part of the hemisphere, weighted by the cosine, is found by directions.
+constexpr double PartOfHemisphere = 0.15;
+constexpr std::uint32_t MostDirections = 32;
+
+/// Where a ray meets a convex polygon from its front, if it does.
+std::optional<Vec3> Meet(
+  const Vec3& origin, const Vec3& direction, const Polygon& shape, const Vec3& normal)
+{
+  const double approach = -glm::dot(normal, direction);
+  const double height = glm::dot(normal, origin - shape[0]);
+  if (!(approach > 0.0 && height > 0.0))
+  {
+    return {};
+  }
+  const Vec3 place = origin + height / approach * direction;
+  for (int i = 0; i < shape.Size(); ++i)
+  {
+    const Vec3 edge = shape[(i + 1) % shape.Size()] - shape[i];
+    if (glm::dot(glm::cross(edge, place - shape[i]), normal) < 0.0)
+    {
+      return {};
+    }
+  }
+  return place;
+}
 
 } // namespace
 
@@ -35,6 +66,7 @@ LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution&
     lamp.shape = ShapeOf(occluders, patch);
     lamp.centre = Centroid(lamp.shape);
     lamp.normal = UnitNormal(lamp.shape);
+    lamp.radius = RadiusAround(lamp.shape, lamp.centre);
     lamp.area = Area(lamp.shape);
     lamp.facet = patch / 2;
     lamp.emission = solution.emission[patch];
@@ -103,11 +135,65 @@ double LitSurfaces::Factor(const Lamp& lamp, const LitPoint& point, std::uint32_
   {
     return 0.0;
   }
-  const Vec3 target = PointAt(lamp.shape, ScrambledSobol(index, seed));
+  const std::optional<Vec3> target = whole > PartOfHemisphere * Pi
+                                       ? TargetByDirection(lamp, point, index, seed)
+                                       : TargetByArea(lamp, point, index, seed);
+  if (!target)
+  {
+    return 0.0;
+  }
   ++shadowRays;
-  const bool isSeen = glm::dot(point.normal, target - x) > 0.0 &&
-                      !this->Occluders->IsOccluded(point.place, { target, lamp.facet });
-  return isSeen ? whole : 0.0;
+  return this->Occluders->IsOccluded(point.place, { *target, lamp.facet }) ? 0.0 : whole;
+}
+
+/// A point of the lamp, drawn as it lights `point`: the first that is met by directions which are
+/// distributed by the cosine.
+std::optional<Vec3> LitSurfaces::TargetByDirection(
+  const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
+{
+  const Frame frame(point.normal);
+  for (std::uint32_t k = 0; k < MostDirections; ++k)
+  {
+    const Vec2 u = ScrambledSobol(index, Hash(seed, k));
+    const Vec3 direction = frame.ToWorld(CosineHemisphere(u));
+    if (const auto place = Meet(point.place.position, direction, lamp.shape, lamp.normal))
+    {
+      return place;
+    }
+  }
+  return TargetByArea(lamp, point, index, seed);
+}
+
+/// The same, nearly: of a few that are spread over the lamp, one
+/// with the probability of its share (Talbot et al. 2005). Nothing when none is above the horizon.
+std::optional<Vec3> LitSurfaces::TargetByArea(
+  const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
+{
+  const Vec3& x = point.place.position;
+  const double height = std::abs(glm::dot(lamp.normal, x - lamp.centre));
+  const double distance = std::max(height, glm::length(x - lamp.centre) - lamp.radius);
+  const double wanted = CandidatesAtOnce * lamp.area / (distance * distance + 1e-300);
+  const auto candidates = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, MostCandidates));
+  std::array<Vec3, static_cast<std::size_t>(MostCandidates)> places;
+  std::array<double, static_cast<std::size_t>(MostCandidates)> sums;
+  double sum = 0.0;
+  for (std::uint32_t k = 0; k < candidates; ++k)
+  {
+    places[k] = PointAt(lamp.shape, ScrambledSobol(index * candidates + k, seed));
+    const Vec3 way = places[k] - x;
+    const double square = glm::dot(way, way);
+    const double cosines =
+      std::max(0.0, glm::dot(point.normal, way)) * std::max(0.0, -glm::dot(lamp.normal, way));
+    sum += square > 0.0 ? cosines / (square * square) : 0.0;
+    sums[k] = sum;
+  }
+  if (!(sum > 0.0))
+  {
+    return {};
+  }
+  const double chosen = sum * ScrambledSobol(index, Hash(seed, candidates)).x;
+  const auto found = std::upper_bound(sums.begin(), sums.begin() + candidates - 1, chosen);
+  return places[static_cast<std::size_t>(found - sums.begin())];
 }
 
 Color LitSurfaces::FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,

@@ -4,6 +4,7 @@
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 /// \file LitSurfaces.h
@@ -32,11 +33,10 @@ public:
 
   LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution);
 
-  /// An estimate. Its mean over seeds is the visible fraction of a lamp times the
-  /// whole of it, which is right but where a lamp as close as its own size is hidden in part: this
-  /// is what noise in rooms that a lamp does not reach would cost. Black on an inactive side.
-  /// `index` and `seed` name the sample; those of one seed are spread well. Adds to `shadowRays`
-  /// what it traces. Pure.
+  /// An estimate: all of a lamp or nothing, as a point of it is seen that is drawn by what it
+  /// gives. So there is no noise where a lamp is hidden, or seen, as a whole. Black on an inactive
+  /// side. `index` and `seed` name the sample; those of one seed are spread well. Adds to
+  /// `shadowRays` what it traces. Pure.
   LitRadiance Radiance(
     const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
 
@@ -60,6 +60,7 @@ private:
     Polygon shape;
     Vec3 centre;
     Vec3 normal;
+    double radius; ///< around the centre
     double area;
     std::uint32_t facet;
     Color emission;
@@ -75,6 +76,10 @@ private:
   double Likely(const Lamp& lamp, const LitPoint& point) const;
   double Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
     std::uint64_t& shadowRays) const;
+  static std::optional<Vec3> TargetByDirection(
+    const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
+  static std::optional<Vec3> TargetByArea(
+    const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
   Color FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,
     std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
 

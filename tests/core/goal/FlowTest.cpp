@@ -240,6 +240,36 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   EXPECT_EQ(flow.Arriving(tree[1].firstChild), Color(0.0));
 }
 
+TEST(Flow, ABalancedSweepTakesAwayWhatIsTheSameEverywhere)
+{
+  // Where all have the same light, it is solved at once, however much of it is reflected.
+  const test::Stage stage(test::MakeFurnace(Color(0.999), Color(2.0)));
+  OpenTree tree = stage.MakeOpenTree();
+  test::OpenTo(tree, 0);
+  Link self;
+  self.ends = { 0, 0 };
+  self.throughput = Pi * tree[0].area; // all see all: rows sum up to pi
+  const std::vector<double> closure(tree.Size(), 1.0);
+  Flow flow;
+  flow.Follow(tree);
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    if (tree[id].IsLeaf())
+    {
+      flow.SetSource(id, Color(2.0));
+    }
+  }
+  flow.Sweep(tree, { self }, closure);
+  flow.Sweep(tree, { self }, closure);
+  EXPECT_LT(flow.Value(0).x, 10.0);
+  for (int sweep = 0; sweep < 5; ++sweep)
+  {
+    flow.Sweep(tree, { self }, closure, true);
+  }
+  EXPECT_NEAR(flow.Value(0).x, 2000.0, 1e-6);
+  EXPECT_LT(flow.Sweep(tree, { self }, closure), 1e-12);
+}
+
 TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
 {
   const test::Stage stage(test::MakeFurnishedRoom());

@@ -161,6 +161,29 @@ TEST(LitSurfaces, OfAHalfHiddenLampHalfIsSeen)
   }
 }
 
+/// A large lamp close by, most of which is hidden: what is left counts by what it gives, not by its
+/// area.
+TEST(LitSurfaces, OfALampCloseByTheNearPartCounts)
+{
+  Scene scene;
+  const std::uint32_t grey = AddMaterial(scene, Albedo, Color(0.0), false);
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Emission, false);
+  AddSquare(scene, Vec3(0.0), -8.0, grey);
+  AddSquare(scene, Vec3(0.0, 0.0, 0.2), 2.0, lamp);
+  // Hides all that lies beyond x = 0.1 on the lamp.
+  AddSquare(scene, Vec3(1.05, 0.0, 0.1), 2.0, grey);
+  const GatherStage stage(scene, AllButEmission);
+  const Polygon visible{ Vec3(-1, -1, .2), Vec3(-1, 1, .2), Vec3(.1, 1, .2), Vec3(.1, -1, .2) };
+  const double exact =
+    Albedo.x / Pi * Emission.x * PointToPolygon(Vec3(0.0), Vec3(0, 0, 1), visible);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    const MeanRadiance found(stage, lit, 4096, seed);
+    EXPECT_NEAR(found.mean - Reflected.x, exact, 4.0 * found.error) << seed;
+  }
+}
+
 TEST(LitSurfaces, AHiddenLampGivesNothing)
 {
   Scene scene = MakeFloorBelowLamps(1);

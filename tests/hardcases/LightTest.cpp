@@ -1,0 +1,135 @@
+#include "hardcases/HardCase.h"
+#include "support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace vantage
+{
+namespace
+{
+
+/// A closed box where nearly all light is reflected, again and again. Oracle: closed form.
+TEST(HardCase, AlbedoNearOneInAClosedBox)
+{
+  for (const double albedo : { 0.99, 0.999 })
+  {
+    const Scene scene = test::MakeFurnace(Color(albedo));
+    const Solver solver = test::SolvedCase(scene, 0.3);
+    for (const Color& radiance : solver.Elements().radiance)
+    {
+      // Rows are closed to 1e-5, which a hundred reflections make 1e-3, and sweeps leave some.
+      ASSERT_NEAR(Mean(radiance) * (1.0 - albedo), 1.0, 1e-2) << albedo;
+    }
+  }
+}
+
+/// The lit box with a lamp of another size and the same power.
+Scene MakeBoxWithLamp(double size, double distance)
+{
+  Scene scene;
+  const double emission = 1.0 / (size * size);
+  scene.materials = { test::MakeMaterial(Color(0.6, 0.5, 0.4)),
+    test::MakeMaterial(Color(0.5), Color(emission)) };
+  test::AddBox(scene, Vec3(0.0), Vec3(1.0), true, { 0, 0, 0, 0, 0, 0 });
+  const double z = 1.0 - distance;
+  const double a = 0.5 - 0.5 * size;
+  const double b = 0.5 + 0.5 * size;
+  scene.AddPolygon({ Vec3(a, a, z), Vec3(a, b, z), Vec3(b, b, z), Vec3(b, a, z) }, 1);
+  scene.cameras.push_back(test::InsideCamera());
+  return scene;
+}
+
+/// Below the horizon of a lamp that is far smaller than its distance, its size does not matter.
+TEST(HardCase, ALampOfATenThousandthOfTheRoom)
+{
+  const Image small = test::CasePicture(MakeBoxWithLamp(1e-2, 0.05), 0.01);
+  const Image tiny = test::CasePicture(MakeBoxWithLamp(1e-4, 0.05), 0.01);
+  EXPECT_LT(Compare(tiny, small).relativeL1, 0.015); // both errors together
+}
+
+/// A lamp that all but lies in the ceiling lights the room like one that lies in it.
+TEST(HardCase, ALampThatTouchesTheCeiling)
+{
+  const Image apart = test::CasePicture(MakeBoxWithLamp(0.2, 1e-3), 0.01);
+  for (const double distance : { 1e-5, 1e-7, 0.0 })
+  {
+    const Image near = test::CasePicture(MakeBoxWithLamp(0.2, distance), 0.01);
+    EXPECT_LT(Compare(near, apart).relativeL1, 0.02) << distance;
+  }
+}
+
+TEST(HardCase, ALampAMillionTimesBrighterThanAnother)
+{
+  Scene scene = MakeBoxWithLamp(0.1, 0.05);
+  scene.materials.push_back(test::MakeMaterial(Color(0.5), Color(1e-6 * 100.0)));
+  scene.AddPolygon(
+    { Vec3(0.1, 0.1, 0.9), Vec3(0.1, 0.2, 0.9), Vec3(0.2, 0.2, 0.9), Vec3(0.2, 0.1, 0.9) }, 2);
+  Scene dark = scene;
+  dark.materials[2].emission = Color(0.0);
+  EXPECT_LT(
+    Compare(test::CasePicture(scene, 0.01), test::CasePicture(dark, 0.01)).relativeL1, 0.015);
+}
+
+TEST(HardCase, FiveHundredLamps)
+{
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.5)), test::MakeMaterial(Color(0.5), Color(10.0)) };
+  test::AddBox(scene, Vec3(0.0), Vec3(1.0), true, { 0, 0, 0, 0, 0, 0 });
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vec3 c(0.02 + 0.04 * (i % 25), 0.025 + 0.05 * (i / 25), 0.97);
+    scene.AddPolygon({ c + Vec3(-.01, -.01, 0), c + Vec3(-.01, .01, 0), c + Vec3(.01, .01, 0),
+                       c + Vec3(.01, -.01, 0) },
+      1);
+  }
+  scene.cameras.push_back(test::InsideCamera());
+  // Noise of the slow twin: 0.3 %.
+  EXPECT_NEAR(
+    test::MeanRadiance(test::CasePicture(scene, 0.02)) / test::TracedMean(scene, 256), 1.0, 0.02);
+}
+
+/// Two rooms that share a wall with a gap. The lamp is in one, the camera in the other one.
+Scene MakeRoomsWithGap(double width)
+{
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.7)), test::MakeMaterial(Color(0.5), Color(50.0)),
+    test::MakeMaterial(Color(0.7), Color(0.0), true) };
+  test::AddBox(scene, Vec3(0.0), Vec3(2.0, 1.0, 1.0), true, { 0, 0, 0, 0, 0, 0 });
+  scene.AddPolygon(
+    { Vec3(1, 0, 0), Vec3(1, 1.0 - width, 0), Vec3(1, 1.0 - width, 1), Vec3(1, 0, 1) }, 2);
+  scene.AddPolygon(
+    { Vec3(.4, .4, .95), Vec3(.4, .6, .95), Vec3(.6, .6, .95), Vec3(.6, .4, .95) }, 1);
+  Camera camera = test::InsideCamera();
+  camera.eye = Vec3(1.9, 0.2, 0.5);
+  camera.lookAt = Vec3(1.4, 0.6, 0.3);
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+/// Light through a gap grows with it.
+TEST(HardCase, ADoorOpenedByAMillimetre)
+{
+  const double one = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(1e-3), 0.05));
+  const double ten = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(1e-2), 0.05));
+  EXPECT_GT(one, 0.0);
+  EXPECT_GT(ten, 3.0 * one);
+  EXPECT_LT(ten, 30.0 * one);
+}
+
+TEST(HardCase, NoLightAtAll)
+{
+  const Image black = test::CasePicture(test::MakeFurnace(Color(0.5), Color(0.0)), 0.01);
+  EXPECT_EQ(test::MeanRadiance(black), 0.0);
+}
+
+TEST(HardCase, AllBlackSurfacesShowTheirEmissionOnly)
+{
+  const Image picture = test::CasePicture(test::MakeFurnace(Color(0.0), Color(2.0)), 0.01);
+  for (const Color& pixel : picture.pixels)
+  {
+    ASSERT_EQ(pixel, Color(2.0));
+  }
+}
+
+} // namespace
+} // namespace vantage
