@@ -24,11 +24,7 @@ Scene MakeOpenBox()
   open.cameras = closed.cameras;
   for (std::size_t p = 0; p < closed.PolygonCount(); ++p)
   {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = closed.offsets[p]; i < closed.offsets[p + 1]; ++i)
-    {
-      points.push_back(closed.vertices[closed.indices[i]]);
-    }
+    const std::vector<Vec3> points = test::CornersOf(closed, p);
     if (p != Ceiling)
     {
       open.AddPolygon(points, closed.materialOfPolygon[p]);

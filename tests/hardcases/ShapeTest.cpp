@@ -17,11 +17,7 @@ TEST(HardCase, Slivers)
   cut.cameras = whole.cameras;
   for (std::size_t p = 0; p < whole.PolygonCount(); ++p)
   {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = whole.offsets[p]; i < whole.offsets[p + 1]; ++i)
-    {
-      points.push_back(whole.vertices[whole.indices[i]]);
-    }
+    const std::vector<Vec3> points = test::CornersOf(whole, p);
     if (p != 0)
     {
       cut.AddPolygon(points, whole.materialOfPolygon[p]);
@@ -46,11 +42,7 @@ TEST(HardCase, DuplicateAndDegenerateFaces)
   Scene more = scene;
   for (std::size_t p = 0; p < scene.PolygonCount(); p += 2)
   {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = scene.offsets[p]; i < scene.offsets[p + 1]; ++i)
-    {
-      points.push_back(scene.vertices[scene.indices[i]]);
-    }
+    const std::vector<Vec3> points = test::CornersOf(scene, p);
     more.AddPolygon(points, scene.materialOfPolygon[p]);
   }
   more.AddPolygon({ Vec3(0.1), Vec3(0.5), Vec3(0.9) }, 0);

@@ -31,6 +31,17 @@ inline void AddBox(Scene& scene, const Vec3& low, const Vec3& high, bool facesIn
   }
 }
 
+/// The corners of polygon `p`.
+inline std::vector<Vec3> CornersOf(const Scene& scene, std::size_t p)
+{
+  std::vector<Vec3> points;
+  for (std::uint32_t i = scene.offsets[p]; i < scene.offsets[p + 1]; ++i)
+  {
+    points.push_back(scene.vertices[scene.indices[i]]);
+  }
+  return points;
+}
+
 inline Material MakeMaterial(
   const Color& albedo, const Color& emission = Color(0.0), bool twoSided = false)
 {

@@ -17,9 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
-#include <vtkStaticCellLocator.h>
 #include <vtkTable.h>
-#include <vtkTriangleFilter.h>
 #include <vtkVariant.h>
 
 #include <gtest/gtest.h>
@@ -183,84 +181,6 @@ TEST(ImportanceDrivenShooting, GoalOrientedRunsToItsErrorAndContinues)
   filter->Update();
   EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.03);
   EXPECT_GT(HistoryOf(filter)->GetNumberOfRows(), rows);
-}
-
-/// Radiance of the triangles that rays through an image meet, interpolated as a renderer does.
-std::vector<Color> PlainRender(vtkPolyData* elements, const Camera& camera, int width, int height)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(elements);
-  triangles->Update();
-  vtkPolyData* mesh = triangles->GetOutput();
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(mesh);
-  locator->BuildLocator();
-  vtkDataArray* radiance = mesh->GetPointData()->GetArray("Radiance");
-  const ImagePlane plane(camera);
-  std::vector<Color> pixels;
-  for (int k = 0; k < width * height; ++k)
-  {
-    const Vec3 to = plane.eye + 10.0 * plane.Direction(2.0 * (k % width + 0.5) / width - 1.0,
-                                         2.0 * (k / width + 0.5) / height - 1.0);
-    double t, x[3], local[3];
-    int subId;
-    vtkIdType cell = -1;
-    Color color(0.0);
-    if (locator->IntersectWithLine(&plane.eye.x, &to.x, 1e-9, t, x, local, subId, cell))
-    {
-      const double weights[3] = { 1.0 - local[0] - local[1], local[0], local[1] };
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        Color value;
-        radiance->GetTuple(mesh->GetCell(cell)->GetPointId(corner), &value.x);
-        color += weights[corner] * value;
-      }
-    }
-    pixels.push_back(color);
-  }
-  return pixels;
-}
-
-TEST(ImportanceDrivenShooting, APlainRenderOfGatheredPointsIsAsGoodAsAPicture)
-{
-  // One-sided: there is one triangle in each place.
-  Scene scene = MakeLitBox();
-  for (Material& material : scene.materials)
-  {
-    material.twoSided = false;
-  }
-  vtkNew<vtkImportanceDrivenShooting> filter;
-  filter->SetInputData(SceneToPolyData(scene));
-  filter->SetCameraName("door");
-  filter->SetError(0.02);
-  filter->Update();
-  const vtkIdType cells = ElementsOf(filter)->GetNumberOfCells();
-  vtkDataArray* estimate = ElementsOf(filter)->GetFieldData()->GetArray("ErrorEstimate");
-  ASSERT_NE(estimate, nullptr);
-  EXPECT_GT(estimate->GetTuple1(0), LastOf(HistoryOf(filter), "ErrorEstimate"));
-  EXPECT_LE(estimate->GetTuple1(0), 0.02);
-
-  GatherSettings settings;
-  settings.width = 50;
-  settings.height = 40;
-  settings.pixelCentres = true;
-  settings.error = 0.002;
-  const Camera camera = scene.FindCamera("door");
-  const Image picture = filter->GetSolver()->Gather(camera, settings).radiance;
-  Image plain(settings.width, settings.height);
-  const auto error = [&]
-  {
-    plain.pixels = PlainRender(ElementsOf(filter), camera, settings.width, settings.height);
-    return Compare(plain, picture).relativeL1;
-  };
-  const double gathered = error();
-  EXPECT_LT(gathered, 0.02);
-
-  filter->GatherPointsOff();
-  filter->Update();
-  EXPECT_LT(2 * ElementsOf(filter)->GetNumberOfCells(), cells);
-  EXPECT_EQ(ElementsOf(filter)->GetFieldData()->GetArray("ErrorEstimate"), nullptr);
-  EXPECT_GT(error(), 2.0 * gathered);
 }
 
 TEST(ImportanceDrivenShooting, MoreStepsContinue)

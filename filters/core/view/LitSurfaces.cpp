@@ -164,8 +164,8 @@ std::optional<Vec3> LitSurfaces::TargetByDirection(
   return TargetByArea(lamp, point, index, seed);
 }
 
-/// The same, nearly: of a few that are spread over the lamp, one
-/// with the probability of its share (Talbot et al. 2005). Nothing when none is above the horizon.
+/// The same, nearly: of a few that are spread over the lamp, one with the probability of its share
+/// (Talbot et al. 2005). Nothing when none is above the horizon.
 std::optional<Vec3> LitSurfaces::TargetByArea(
   const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
 {

@@ -60,7 +60,7 @@ public:
   {
   }
 
-  /// What Find() will be asked for after the next Measure().
+  /// At() may be asked for it after the next Measure().
   void Want(const Place& place)
   {
     if (this->Known.try_emplace(place, 0.0).second)
@@ -201,8 +201,8 @@ void MeshRefiner::SplitLargeOnes()
 bool MeshRefiner::MaySplit(NodeId leaf) const
 {
   const Node& node = this->Tree[leaf];
-  const double smallest = SmallestPart * this->AllWeight;
-  return node.IsLeaf() && node.level<HighestLevel&& this->PartOf(leaf)> smallest;
+  const bool isLarge = this->PartOf(leaf) > SmallestPart * this->AllWeight;
+  return isLarge && node.IsLeaf() && node.level != HighestLevel;
 }
 
 void MeshRefiner::Split(NodeId leaf)

@@ -147,11 +147,7 @@ inline Scene MakeOpenBox(const Color& albedo = Color(0.5), const Color& emission
   scene.cameras = room.cameras;
   for (std::size_t p = 0; p < room.PolygonCount(); ++p)
   {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = room.offsets[p]; i < room.offsets[p + 1]; ++i)
-    {
-      points.push_back(room.vertices[room.indices[i]]);
-    }
+    const std::vector<Vec3> points = CornersOf(room, p);
     if (p != 1)
     {
       scene.AddPolygon(points, 0);
@@ -168,11 +164,7 @@ inline void AddCrate(
   AddBox(box, Vec3(low, 0.0), Vec3(high, height), false, { 0, 0, 0, 0, 0, 0 });
   for (std::size_t p = 1; p < box.PolygonCount(); ++p) // 0 is the bottom
   {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = box.offsets[p]; i < box.offsets[p + 1]; ++i)
-    {
-      points.push_back(box.vertices[box.indices[i]]);
-    }
+    const std::vector<Vec3> points = CornersOf(box, p);
     scene.AddPolygon(points, material);
   }
 }
