@@ -16,13 +16,13 @@ namespace
 
 /// A lamp whose centre is below the horizon, or turned away, may still be seen in part.
 constexpr double LeastCosine = 0.05;
-/// Points of a lamp of which one is chosen for the shadow ray: so many where the lamp is as large
-/// as it is far, and at most.
+/// Points of a lamp of which one is chosen for the shadow ray, where the lamp is as large as it is
+/// far.
 constexpr double CandidatesAtOnce = 4.0;
-constexpr double MostCandidates = 32.0;
 /// A lamp that fills this part of the hemisphere, weighted by the cosine, is found by directions.
 constexpr double PartOfHemisphere = 0.15;
-constexpr std::uint32_t MostDirections = 32;
+/// Points, or directions, that are tried at most.
+constexpr std::uint32_t MostTries = 32;
 
 /// Where a ray meets a convex polygon from its front, if it does.
 std::optional<Vec3> Meet(
@@ -135,64 +135,62 @@ double LitSurfaces::Factor(const Lamp& lamp, const LitPoint& point, std::uint32_
   {
     return 0.0;
   }
-  const std::optional<Vec3> target = whole > PartOfHemisphere * Pi
-                                       ? TargetByDirection(lamp, point, index, seed)
-                                       : TargetByArea(lamp, point, index, seed);
-  if (!target)
-  {
-    return 0.0;
-  }
+  const Vec3 target = whole > PartOfHemisphere * Pi ? TargetByDirection(lamp, point, index, seed)
+                                                    : TargetByArea(lamp, point, index, seed);
   ++shadowRays;
-  return this->Occluders->IsOccluded(point.place, { *target, lamp.facet }) ? 0.0 : whole;
+  return this->Occluders->IsOccluded(point.place, { target, lamp.facet }) ? 0.0 : whole;
 }
 
 /// A point of the lamp, drawn as it lights `point`: the first that is met by directions which are
 /// distributed by the cosine.
-std::optional<Vec3> LitSurfaces::TargetByDirection(
+Vec3 LitSurfaces::TargetByDirection(
   const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
 {
   const Frame frame(point.normal);
-  for (std::uint32_t k = 0; k < MostDirections; ++k)
+  for (std::uint32_t k = 0; k < MostTries; ++k)
   {
     const Vec2 u = ScrambledSobol(index, Hash(seed, k));
     const Vec3 direction = frame.ToWorld(CosineHemisphere(u));
     if (const auto place = Meet(point.place.position, direction, lamp.shape, lamp.normal))
     {
-      return place;
+      return *place;
     }
   }
   return TargetByArea(lamp, point, index, seed);
 }
 
 /// The same, nearly: of a few that are spread over the lamp, one with the probability of its share
-/// (Talbot et al. 2005). Nothing when none is above the horizon.
-std::optional<Vec3> LitSurfaces::TargetByArea(
+/// (Talbot et al. 2005). More are tried where none is above the horizon.
+Vec3 LitSurfaces::TargetByArea(
   const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
 {
   const Vec3& x = point.place.position;
   const double height = std::abs(glm::dot(lamp.normal, x - lamp.centre));
   const double distance = std::max(height, glm::length(x - lamp.centre) - lamp.radius);
   const double wanted = CandidatesAtOnce * lamp.area / (distance * distance + 1e-300);
-  const auto candidates = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, MostCandidates));
-  std::array<Vec3, static_cast<std::size_t>(MostCandidates)> places;
-  std::array<double, static_cast<std::size_t>(MostCandidates)> sums;
+  const auto candidates = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double(MostTries)));
+  std::array<Vec3, MostTries> places;
+  std::array<double, MostTries> sums;
   double sum = 0.0;
-  for (std::uint32_t k = 0; k < candidates; ++k)
+  std::uint32_t tried = 0;
+  for (; tried < candidates || (sum == 0.0 && tried < MostTries); ++tried)
   {
-    places[k] = PointAt(lamp.shape, ScrambledSobol(index * candidates + k, seed));
-    const Vec3 way = places[k] - x;
+    const Vec2 uv = ScrambledSobol(
+      index * candidates + tried % candidates, tried < candidates ? seed : Hash(seed, tried));
+    places[tried] = PointAt(lamp.shape, uv);
+    const Vec3 way = places[tried] - x;
     const double square = glm::dot(way, way);
     const double cosines =
       std::max(0.0, glm::dot(point.normal, way)) * std::max(0.0, -glm::dot(lamp.normal, way));
     sum += square > 0.0 ? cosines / (square * square) : 0.0;
-    sums[k] = sum;
+    sums[tried] = sum;
   }
   if (!(sum > 0.0))
   {
-    return {};
+    return Centroid(ClipToFront(lamp.shape, { point.normal, glm::dot(point.normal, x) }));
   }
   const double chosen = sum * ScrambledSobol(index, Hash(seed, candidates)).x;
-  const auto found = std::upper_bound(sums.begin(), sums.begin() + candidates - 1, chosen);
+  const auto found = std::upper_bound(sums.begin(), sums.begin() + tried - 1, chosen);
   return places[static_cast<std::size_t>(found - sums.begin())];
 }
 

@@ -4,7 +4,6 @@
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 /// \file LitSurfaces.h
@@ -76,9 +75,9 @@ private:
   double Likely(const Lamp& lamp, const LitPoint& point) const;
   double Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
     std::uint64_t& shadowRays) const;
-  static std::optional<Vec3> TargetByDirection(
+  static Vec3 TargetByDirection(
     const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
-  static std::optional<Vec3> TargetByArea(
+  static Vec3 TargetByArea(
     const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
   Color FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,
     std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;

@@ -184,6 +184,25 @@ TEST(LitSurfaces, OfALampCloseByTheNearPartCounts)
   }
 }
 
+/// Whatever part of it is above the horizon, and be it one in a thousand.
+TEST(LitSurfaces, OfALampAcrossTheHorizonAllThatIsAboveIsSeen)
+{
+  for (const double height : { 0.5, 0.1, 0.001 })
+  {
+    Scene scene = MakeFloorBelowLamps(0);
+    const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Emission, false);
+    scene.AddPolygon({ Vec3(1.0, -0.5, height - 1.0), Vec3(1.0, -0.5, height),
+                       Vec3(1.0, 0.5, height), Vec3(1.0, 0.5, height - 1.0) },
+      lamp);
+    const GatherStage stage(scene, AllButEmission);
+    ASSERT_EQ(stage.solution.lamps.size(), 1u);
+    const MeanRadiance found(stage, LitSurfaces(stage.occluders, stage.solution), 64, 1);
+    const double all = Unhidden(stage).x;
+    ASSERT_GT(all, 0.0);
+    EXPECT_NEAR(found.mean - Reflected.x, all, 1e-12) << height; // round-off
+  }
+}
+
 TEST(LitSurfaces, AHiddenLampGivesNothing)
 {
   Scene scene = MakeFloorBelowLamps(1);
