@@ -43,8 +43,6 @@ double Flow::Sweep(const OpenTree& tree, const std::vector<Link>& links,
   const std::vector<double>& closure, bool isBalanced)
 {
   this->Incoming.assign(tree.Size(), Color(0.0));
-  this->Variances.assign(tree.Size(), 0.0);
-  this->Shadows.assign(tree.Size(), 0.0);
   for (const Link& link : links)
   {
     const auto [a, b] = link.ends;
@@ -89,11 +87,7 @@ double Flow::StraightPart(OpenId id) const
 
 void Flow::Receive(const Link& link, OpenId to, OpenId from, double area)
 {
-  const double weighted = Mean(this->Weighted[from]) / area;
-  const double deviation = link.variation * weighted;
   this->Incoming[to] += link.throughput / area * this->Weighted[from];
-  this->Variances[to] += deviation * deviation;
-  this->Shadows[to] += link.shadowing * weighted;
 }
 
 void Flow::PushDown(const OpenTree& tree)
@@ -101,8 +95,6 @@ void Flow::PushDown(const OpenTree& tree)
   for (OpenId id = 1; id < tree.Size(); ++id)
   {
     this->Incoming[id] += this->Incoming[tree[id].parent];
-    this->Variances[id] += this->Variances[tree[id].parent];
-    this->Shadows[id] += this->Shadows[tree[id].parent];
   }
 }
 
@@ -141,9 +133,6 @@ double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& cl
     total += node.area * Mean(value);
     this->Values[id] = value;
     this->Weighted[id] = closure[id] * value;
-    this->Spreads[id] = node.IsCluster() ? this->SpreadOfCluster(id)
-                                         : Mean(node.albedo) / Pi *
-                                             (std::sqrt(this->Variances[id]) + this->Shadows[id]);
   }
   return total > 0.0 ? change / total : 0.0;
 }
@@ -169,6 +158,69 @@ void Flow::PullUp(const OpenTree& tree)
     Color source(0.0);
     Color value(0.0);
     Color weighted(0.0);
+    double area = 0.0;
+    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
+    {
+      const double childArea = tree[c].area;
+      area += childArea;
+      source += childArea * this->Sources[c];
+      value += childArea * this->Values[c];
+      weighted += childArea * this->Weighted[c];
+    }
+    if (area <= 0.0)
+    {
+      continue;
+    }
+    this->Sources[id] = source / area;
+    this->Values[id] = value / area;
+    this->Weighted[id] = weighted / area;
+  }
+}
+
+void Flow::FindSpreads(const OpenTree& tree, const std::vector<Link>& links)
+{
+  // Of what arrives at each node: the variance, and the deviation by shadows, which all may fall on
+  // the same part.
+  std::vector<double> variances(tree.Size(), 0.0);
+  std::vector<double> shadows(tree.Size(), 0.0);
+  for (const Link& link : links)
+  {
+    for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
+    {
+      const OpenId to = link.ends[end];
+      const double weighted = Mean(this->Weighted[link.ends[1 - end]]) / tree[to].area;
+      const double deviation = link.variation * weighted;
+      variances[to] += deviation * deviation;
+      shadows[to] += link.shadowing * weighted;
+    }
+  }
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    const OpenNode& node = tree[id];
+    if (id > 0)
+    {
+      variances[id] += variances[node.parent];
+      shadows[id] += shadows[node.parent];
+    }
+    if (node.IsLeaf())
+    {
+      this->Spreads[id] = node.IsCluster()
+                            ? this->SpreadOfCluster(id)
+                            : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
+    }
+  }
+  this->PullUpSpreads(tree);
+}
+
+void Flow::PullUpSpreads(const OpenTree& tree)
+{
+  for (OpenId id = tree.Size(); id-- > 0;)
+  {
+    const OpenNode& node = tree[id];
+    if (node.IsLeaf())
+    {
+      continue;
+    }
     double square = 0.0;
     double sourceSquare = 0.0;
     double area = 0.0;
@@ -177,28 +229,21 @@ void Flow::PullUp(const OpenTree& tree)
       const double childArea = tree[c].area;
       const double mean = Mean(this->Values[c]);
       area += childArea;
-      source += childArea * this->Sources[c];
-      value += childArea * this->Values[c];
-      weighted += childArea * this->Weighted[c];
       sourceSquare += childArea * this->SourceRms[c] * this->SourceRms[c];
       square += childArea * (mean * mean + this->Spreads[c] * this->Spreads[c]);
     }
-    if (area <= 0.0)
+    if (area > 0.0)
     {
-      continue;
+      const double mean = Mean(this->Values[id]);
+      this->SourceRms[id] = std::sqrt(sourceSquare / area);
+      this->Spreads[id] = std::sqrt(std::max(0.0, square / area - mean * mean));
     }
-    this->Sources[id] = source / area;
-    this->SourceRms[id] = std::sqrt(sourceSquare / area);
-    this->Values[id] = value / area;
-    this->Weighted[id] = weighted / area;
-    const double mean = Mean(this->Values[id]);
-    this->Spreads[id] = std::sqrt(std::max(0.0, square / area - mean * mean));
   }
 }
 
 std::size_t Flow::Bytes() const
 {
-  return this->Values.capacity() * (4 * sizeof(Color) + 4 * sizeof(double));
+  return this->Values.capacity() * (4 * sizeof(Color) + 3 * sizeof(double));
 }
 
 } // namespace vantage

@@ -36,11 +36,14 @@ public:
   void FindStraight(
     const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
 
+  /// Finds how unevenly the values lie within nodes, for Spread(). O(links + nodes). \pre Sweep
+  void FindSpreads(const OpenTree& tree, const std::vector<Link>& links);
+
   /// Means over the nodes, weighted by area.
   const Color& Value(OpenId id) const { return this->Values[id]; }
   /// Standard deviation of the mean channel over the node: between the leaves below, and within
   /// them as the variation of their links tells. Of a leaf that is a cluster: all that it received,
-  /// and its source as SetSource() was told.
+  /// and its source as SetSource() was told. \pre FindSpreads
   double Spread(OpenId id) const { return this->Spreads[id]; }
 
   /// Of a leaf; `rms` is the root mean square of the mean channel over it: how unevenly it lies
@@ -50,6 +53,7 @@ public:
     this->Sources[id] = source;
     this->SourceRms[id] = rms;
   }
+  /// Of any node. \pre FindSpreads
   double RmsOfSource(OpenId id) const { return this->SourceRms[id]; }
   const Color& Source(OpenId id) const { return this->Sources[id]; }
   /// What came over links: Value - Source.
@@ -72,14 +76,13 @@ private:
   double ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure, double scale);
   double SpreadOfCluster(OpenId leaf) const;
   void PullUp(const OpenTree& tree);
+  void PullUpSpreads(const OpenTree& tree);
 
   std::vector<Color> Sources; ///< of each node
   std::vector<double> SourceRms;
   std::vector<Color> Values;
-  std::vector<Color> Weighted;   ///< d times value, mean
-  std::vector<Color> Incoming;   ///< irradiance: from own links, then from all above, then times d
-  std::vector<double> Variances; ///< of the irradiance over the node, likewise
-  std::vector<double> Shadows;   ///< its deviation by shadows, which all may fall on the same part
+  std::vector<Color> Weighted; ///< d times value, mean
+  std::vector<Color> Incoming; ///< irradiance: from own links, then from all above, then times d
   std::vector<double> Spreads;
   std::vector<double> Straight; ///< see StraightPart(), mean channel
 };

@@ -106,6 +106,8 @@ void GoalOrientedTransport::Solve()
   CloseRows(this->Open, this->AllLinks, this->Closure);
   this->Converge(this->RadianceFlow);
   this->Converge(this->ImportanceFlow);
+  this->RadianceFlow.FindSpreads(this->Open, this->AllLinks);
+  this->ImportanceFlow.FindSpreads(this->Open, this->AllLinks);
   this->ImportanceFlow.FindStraight(this->Open, this->AllLinks, this->Closure);
   LinkErrors errors =
     EstimateLinkErrors(this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow);
@@ -203,20 +205,7 @@ std::size_t GoalOrientedTransport::Refine(double share)
       worst.push_back(i);
     }
   }
-  const auto isWorse = [this](std::uint32_t a, std::uint32_t b)
-  { return this->Errors[a] != this->Errors[b] ? this->Errors[a] > this->Errors[b] : a < b; };
-  std::sort(worst.begin(), worst.end(), isWorse);
-  double mass = 0.0;
-  for (const std::uint32_t i : worst)
-  {
-    mass += this->Errors[i];
-  }
-  std::size_t count = 0;
-  for (double covered = 0.0; count < worst.size() && covered < share * mass; ++count)
-  {
-    covered += this->Errors[worst[count]];
-  }
-  worst.resize(count);
+  worst.resize(this->MoveWorstFirst(worst, share));
   std::sort(worst.begin(), worst.end());
   std::vector<LinkRequest> requests;
   std::vector<char> isRefined(this->AllLinks.size(), 0);
@@ -235,9 +224,41 @@ std::size_t GoalOrientedTransport::Refine(double share)
   }
   this->AllLinks.resize(kept);
   ++this->Counts.rounds;
-  this->Counts.refined += count;
+  this->Counts.refined += worst.size();
   this->Evaluate(requests);
-  return count;
+  return worst.size();
+}
+
+std::size_t GoalOrientedTransport::MoveWorstFirst(
+  std::vector<std::uint32_t>& links, double share) const
+{
+  const auto isWorse = [this](std::uint32_t a, std::uint32_t b)
+  { return this->Errors[a] != this->Errors[b] ? this->Errors[a] > this->Errors[b] : a < b; };
+  const auto sum = [this](auto begin, auto end)
+  {
+    return std::accumulate(
+      begin, end, 0.0, [this](double s, std::uint32_t i) { return s + this->Errors[i]; });
+  };
+  // Those before `first` are worse and not enough, those before `last` are enough.
+  double missing = share * sum(links.begin(), links.end());
+  auto first = links.begin();
+  auto last = links.end();
+  while (last - first > 1)
+  {
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last, isWorse);
+    const double worse = sum(first, middle);
+    if (worse < missing)
+    {
+      missing -= worse;
+      first = middle;
+    }
+    else
+    {
+      last = middle;
+    }
+  }
+  return static_cast<std::size_t>(last - links.begin());
 }
 
 bool GoalOrientedTransport::MaySplit(OpenId id) const

@@ -87,6 +87,9 @@ private:
   void Converge(Flow& flow);
   /// What errors are relative to: the view flux, or what it is when all surfaces matter alike.
   double Goal() const;
+  /// Puts the links with the largest errors that together have `share` of all first, in any order.
+  /// Returns how many they are. O(links).
+  std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;
   bool MaySplit(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;

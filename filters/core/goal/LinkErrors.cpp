@@ -119,9 +119,12 @@ double Estimator::LossWithout(const Link& link, const Parts& parts) const
 LinkErrors Estimator::Estimate()
 {
   double squares = 0.0;
+  std::vector<Parts> partsOfLink;
+  partsOfLink.reserve(this->Links.size());
   for (const Link& link : this->Links)
   {
-    const Parts parts = this->PartsOf(link);
+    partsOfLink.push_back(this->PartsOf(link));
+    const Parts& parts = partsOfLink.back();
     squares += parts.random * parts.random;
     this->SumOfClusters += parts.ofClusters;
     this->SumOfNodes += parts.OfNodes();
@@ -140,9 +143,9 @@ LinkErrors Estimator::Estimate()
   LinkErrors errors;
   errors.all = std::sqrt(squares);
   errors.ofLink.reserve(this->Links.size());
-  for (const Link& link : this->Links)
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
   {
-    errors.ofLink.push_back(this->LossWithout(link, this->PartsOf(link)));
+    errors.ofLink.push_back(this->LossWithout(this->Links[i], partsOfLink[i]));
   }
   return errors;
 }

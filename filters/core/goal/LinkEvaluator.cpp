@@ -43,10 +43,10 @@ double VisibilityError(const Link& link, std::uint32_t rays)
   return f > 0.0 && f < 1.0 ? std::sqrt(f * (1.0 - f) / rays) : 1.0 / (link.agreeingRays + 2.0);
 }
 
-/// A surface drawn from a node, and a point on it.
+/// A patch or element that was drawn from a node, and a point on it.
 struct SurfaceDraw
 {
-  Polygon shape;
+  NodeId node;
   double area;
   Vec3 point;
   Vec3 normal;
@@ -54,34 +54,62 @@ struct SurfaceDraw
   double density; ///< of the point, per area
 };
 
-/// `which` chooses a patch of a cluster, `where` a point on it.
-SurfaceDraw DrawSurface(const OpenTree& tree, OpenId id, double which, const Vec2& where)
+/// Draws surfaces from one end of a link.
+class EndSampler
 {
-  if (!tree[id].IsCluster())
+public:
+  EndSampler(const OpenTree& tree, OpenId id)
+    : Tree(tree.Tree())
+    , Order(tree.Patches())
+    , IsCluster(tree[id].IsCluster())
+    , Own(tree[id].node)
   {
-    const double area = tree.Geometry(id).area;
-    const Patch& patch = tree.PatchOf(id);
-    const Polygon shape = tree.Shape(id);
-    return { shape, area, PointAt(shape, where), patch.normal, patch.facet, 1.0 / area };
+    if (this->IsCluster)
+    {
+      this->Range = tree.RangeOf(id);
+    }
   }
-  const PatchOrder::Draw draw = tree.Patches().At(tree.RangeOf(id), which);
-  const Patch& patch = tree.Tree().Patches()[draw.patch];
-  const Polygon shape = tree.Tree().Shape(patch.node);
-  return { shape, tree.Tree()[patch.node].area, PointAt(shape, where), patch.normal, patch.facet,
-    draw.density };
-}
+
+  /// `which` chooses a patch of a cluster, `where` a point on it.
+  SurfaceDraw At(double which, const Vec2& where) const
+  {
+    if (!this->IsCluster)
+    {
+      return this->On(this->Tree[this->Own].patch, this->Own, 0.0, where);
+    }
+    const PatchOrder::Draw draw = this->Order.At(this->Range, which);
+    return this->On(draw.patch, this->Tree.Patches()[draw.patch].node, draw.density, where);
+  }
+
+private:
+  SurfaceDraw On(PatchId patchId, NodeId node, double density, const Vec2& where) const
+  {
+    const Patch& patch = this->Tree.Patches()[patchId];
+    const Node& element = this->Tree[node];
+    const double area = element.area;
+    return { node, area, PointAt(element.corners.data(), element.cornerCount, where), patch.normal,
+      patch.facet, density > 0.0 ? density : 1.0 / area };
+  }
+
+  const ElementTree& Tree;
+  const PatchOrder& Order;
+  bool IsCluster;
+  NodeId Own;
+  PatchRange Range;
+};
 
 /// An estimate of the throughput of what the two were drawn from, without what is in between, by
 /// points that face each other. The smaller surface stands for its point and sees all of the other
 /// one in closed form: that knows no large values where surfaces touch, which pairs of points have.
 /// The point of the larger one stands for all that is in front of the smaller one's plane.
-double UnoccludedEstimate(const SurfaceDraw& a, const SurfaceDraw& b)
+double UnoccludedEstimate(const ElementTree& tree, const SurfaceDraw& a, const SurfaceDraw& b)
 {
   const SurfaceDraw& small = a.area < b.area ? a : b;
   const SurfaceDraw& large = a.area < b.area ? b : a;
   const Plane horizon{ small.normal, glm::dot(small.normal, small.point) };
-  const double inFront = Area(ClipToFront(large.shape, horizon));
-  return inFront > 0.0 ? PointToPolygon(small.point, small.normal, large.shape) /
+  const Polygon shape = tree.Shape(large.node);
+  const double inFront = Area(ClipToFront(shape, horizon));
+  return inFront > 0.0 ? PointToPolygon(small.point, small.normal, shape) /
                            (small.density * large.density * inFront)
                        : 0.0;
 }
@@ -163,11 +191,13 @@ EvaluatedLink LinkEvaluator::EvaluateClusters(const LinkRequest& request) const
   std::uint32_t facing = 0;
   std::uint32_t open = 0;
   double sum = 0.0;
+  const EndSampler first(tree, a);
+  const EndSampler second(tree, b);
   for (std::uint32_t i = 0; i < PointPairs; ++i)
   {
     const Vec2 which = ScrambledSobol(i, Hash(seed, 0));
-    const SurfaceDraw from = DrawSurface(tree, a, which.x, ScrambledSobol(i, Hash(seed, 1)));
-    const SurfaceDraw to = DrawSurface(tree, b, which.y, ScrambledSobol(i, Hash(seed, 2)));
+    const SurfaceDraw from = first.At(which.x, ScrambledSobol(i, Hash(seed, 1)));
+    const SurfaceDraw to = second.At(which.y, ScrambledSobol(i, Hash(seed, 2)));
     const Vec3 way = to.point - from.point;
     if (from.facet == to.facet || !(glm::dot(from.normal, way) > 0.0) ||
         !(glm::dot(to.normal, way) < 0.0))
@@ -178,7 +208,7 @@ EvaluatedLink LinkEvaluator::EvaluateClusters(const LinkRequest& request) const
     if (!this->Occluders->IsOccluded({ from.point, from.facet }, { to.point, to.facet }))
     {
       ++open;
-      sum += UnoccludedEstimate(from, to);
+      sum += UnoccludedEstimate(tree.Tree(), from, to);
     }
   }
   result.rays = facing;

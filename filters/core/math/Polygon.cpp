@@ -107,8 +107,14 @@ Polygon Reversed(const Polygon& p)
 
 Vec3 PointAt(const Polygon& p, const Vec2& uv)
 {
-  assert(p.Size() == 3 || p.Size() == 4);
-  if (p.Size() == 3)
+  return PointAt(p.begin(), p.Size(), uv);
+}
+
+Vec3 PointAt(const Vec3* corners, int count, const Vec2& uv)
+{
+  assert(count == 3 || count == 4);
+  const Vec3* p = corners;
+  if (count == 3)
   {
     const double s = std::sqrt(uv.x);
     return p[0] + s * ((1.0 - uv.y) * (p[1] - p[0]) + uv.y * (p[2] - p[0]));

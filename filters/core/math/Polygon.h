@@ -87,6 +87,8 @@ Polygon Reversed(const Polygon& p);
 /// v0 v1 v2 v3 = (0,0) (1,0) (1,1) (0,1); the area-preserving square-to-triangle map of Shirley
 /// and Chiu (1997) on a triangle. \pre p.Size() is 3 or 4.
 Vec3 PointAt(const Polygon& p, const Vec2& uv);
+/// The same of corners that are kept elsewhere.
+Vec3 PointAt(const Vec3* corners, int count, const Vec2& uv);
 
 /// The area that a unit of (u, v) covers at PointAt(p, uv): |dx/du x dx/dv|. Area(p) everywhere on
 /// a triangle or a parallelogram. \pre p.Size() is 3 or 4.

@@ -34,6 +34,17 @@ inline std::uint32_t OwenScramble(std::uint32_t x, std::uint32_t seed)
   return ReverseBits(x);
 }
 
+/// The second dimension of Sobol's sequence, its first digit in bit 0. Its matrix is Pascal's
+/// triangle modulo 2: digit j is the sum of all bits whose index has all ones of j (Lucas).
+inline std::uint32_t SecondOfSobol(std::uint32_t index)
+{
+  index ^= (index >> 1) & 0x55555555u;
+  index ^= (index >> 2) & 0x33333333u;
+  index ^= (index >> 4) & 0x0f0f0f0fu;
+  index ^= (index >> 8) & 0x00ff00ffu;
+  return index ^ (index >> 16);
+}
+
 /// Point `index` of the first two dimensions of Sobol's sequence, order and digits scrambled by
 /// the seed (Burley 2020). Every point is uniform on [0, 1)^2 over the seeds; the first 2^k points
 /// have one in each of 2^k equal cells of any shape; points of two seeds are independent, so that
@@ -43,15 +54,9 @@ inline Vec2 ScrambledSobol(std::uint32_t index, std::uint64_t seed)
   const auto low = static_cast<std::uint32_t>(seed);
   const auto high = static_cast<std::uint32_t>(seed >> 32);
   const std::uint32_t shuffled = OwenScramble(index, low);
-  std::uint32_t second = 0;
-  std::uint32_t direction = 1u << 31;
-  for (std::uint32_t bits = shuffled; bits != 0; bits >>= 1)
-  {
-    second ^= (bits & 1u) != 0 ? direction : 0u;
-    direction ^= direction >> 1;
-  }
   const std::uint32_t x = OwenScramble(ReverseBits(shuffled), high);
-  const std::uint32_t y = OwenScramble(second, low ^ (high * 0x9e3779b9u));
+  const std::uint32_t y =
+    OwenScramble(ReverseBits(SecondOfSobol(shuffled)), low ^ (high * 0x9e3779b9u));
   return { x * 0x1.0p-32, y * 0x1.0p-32 };
 }
 

@@ -60,6 +60,8 @@ struct Fixture
       this->radiance.Sweep(this->tree, links, closure);
       this->importance.Sweep(this->tree, links, closure);
     }
+    this->radiance.FindSpreads(this->tree, links);
+    this->importance.FindSpreads(this->tree, links);
     this->importance.FindStraight(this->tree, links, closure);
     return EstimateLinkErrors(this->tree, links, this->radiance, this->importance);
   }
@@ -164,6 +166,8 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   const std::vector<double> closure(tree.Size(), 1.0);
   radiance.Sweep(tree, {}, closure);
   importance.Sweep(tree, {}, closure);
+  radiance.FindSpreads(tree, {});
+  importance.FindSpreads(tree, {});
   importance.FindStraight(tree, {}, closure);
   Link link;
   link.ends = { 1, 2 };
