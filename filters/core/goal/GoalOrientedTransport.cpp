@@ -109,8 +109,8 @@ void GoalOrientedTransport::Solve()
   this->RadianceFlow.FindSpreads(this->Open, this->AllLinks);
   this->ImportanceFlow.FindSpreads(this->Open, this->AllLinks);
   this->ImportanceFlow.FindStraight(this->Open, this->AllLinks, this->Closure);
-  LinkErrors errors =
-    EstimateLinkErrors(this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow);
+  LinkErrors errors = EstimateLinkErrors(
+    this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow, this->Hidden);
   this->Errors = std::move(errors.ofLink);
   const double goal = this->Goal();
   // Infinite where nothing is known to be lit yet.
@@ -207,26 +207,51 @@ std::size_t GoalOrientedTransport::Refine(double share)
   }
   worst.resize(this->MoveWorstFirst(worst, share));
   std::sort(worst.begin(), worst.end());
+  const std::vector<Link> refined = this->TakeOut(worst);
   std::vector<LinkRequest> requests;
-  std::vector<char> isRefined(this->AllLinks.size(), 0);
-  for (const std::uint32_t i : worst)
+  std::vector<std::size_t> ends; ///< in the requests, of what replaces each
+  for (const Link& link : refined)
   {
-    isRefined[i] = 1;
-    this->AppendRequests(this->AllLinks[i], requests);
+    this->AppendRequests(link, requests);
+    ends.push_back(requests.size());
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < this->AllLinks.size(); ++i)
+  ++this->Counts.rounds;
+  this->Counts.refined += refined.size();
+  const std::vector<double> throughputs = this->Evaluate(requests);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < refined.size(); ++i)
   {
-    if (!isRefined[i])
+    double carried = 0.0;
+    for (; next < ends[i]; ++next)
+    {
+      carried += throughputs[next];
+    }
+    if (HiddenLight::Concerns(this->Open, refined[i]))
+    {
+      this->Hidden.Learn(refined[i], carried);
+    }
+  }
+  return refined.size();
+}
+
+std::vector<Link> GoalOrientedTransport::TakeOut(const std::vector<std::uint32_t>& links)
+{
+  std::vector<Link> taken;
+  taken.reserve(links.size());
+  std::size_t kept = 0;
+  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
+  {
+    if (taken.size() < links.size() && links[taken.size()] == i)
+    {
+      taken.push_back(this->AllLinks[i]);
+    }
+    else
     {
       this->AllLinks[kept++] = this->AllLinks[i];
     }
   }
   this->AllLinks.resize(kept);
-  ++this->Counts.rounds;
-  this->Counts.refined += worst.size();
-  this->Evaluate(requests);
-  return worst.size();
+  return taken;
 }
 
 std::size_t GoalOrientedTransport::MoveWorstFirst(
@@ -329,14 +354,17 @@ void GoalOrientedTransport::AppendRequests(const Link& link, std::vector<LinkReq
   }
 }
 
-void GoalOrientedTransport::Evaluate(const std::vector<LinkRequest>& requests)
+std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkRequest>& requests)
 {
   std::vector<EvaluatedLink> made(requests.size());
+  std::vector<double> throughputs;
+  throughputs.reserve(requests.size());
   tbb::parallel_for(std::size_t(0), requests.size(),
     [&](std::size_t i) { made[i] = this->Evaluator.Evaluate(requests[i]); });
   for (const EvaluatedLink& result : made)
   {
     const Link& link = result.link;
+    throughputs.push_back(link.throughput);
     const bool hasCluster =
       this->Open[link.ends[0]].IsCluster() || this->Open[link.ends[1]].IsCluster();
     ++(hasCluster ? this->Counts.clusterPairs : this->Counts.surfacePairs);
@@ -350,6 +378,7 @@ void GoalOrientedTransport::Evaluate(const std::vector<LinkRequest>& requests)
     this->AllLinks.push_back(link);
     this->AllLinks.back().step = this->Counts.rounds;
   }
+  return throughputs;
 }
 
 std::size_t GoalOrientedTransport::Bytes() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/goal/Flow.h"
+#include "core/goal/HiddenLight.h"
 #include "core/goal/LinkEvaluator.h"
 
 #include <cstdint>
@@ -90,12 +91,15 @@ private:
   /// Puts the links with the largest errors that together have `share` of all first, in any order.
   /// Returns how many they are. O(links).
   std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;
+  /// Removes links, given in ascending order, and returns them.
+  std::vector<Link> TakeOut(const std::vector<std::uint32_t>& links);
   bool MaySplit(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;
   void AppendRequests(const Link& link, std::vector<LinkRequest>& requests);
   std::vector<OpenId> Parts(OpenId id, bool isSplit);
-  void Evaluate(const std::vector<LinkRequest>& requests);
+  /// Returns the throughput of each.
+  std::vector<double> Evaluate(const std::vector<LinkRequest>& requests);
 
   OpenTree Open;
   const OccluderScene* Occluders;
@@ -104,6 +108,7 @@ private:
   LinkEvaluator Evaluator;
   std::vector<Link> AllLinks;
   std::vector<double> Errors; ///< LinkErrors::ofLink
+  HiddenLight Hidden;
   std::vector<double> Closure;
   Flow RadianceFlow;
   Flow ImportanceFlow;

@@ -36,11 +36,12 @@ class Estimator
 {
 public:
   Estimator(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
-    const Flow& importance)
+    const Flow& importance, const HiddenLight& hidden)
     : Tree(tree)
     , Links(links)
     , Radiance(radiance)
     , Importance(importance)
+    , Hidden(hidden)
     , AtReceiver(tree.Size(), 0.0)
     , AtShooter(tree.Size(), 0.0)
   {
@@ -57,6 +58,7 @@ private:
   const std::vector<Link>& Links;
   const Flow& Radiance;
   const Flow& Importance;
+  const HiddenLight& Hidden;
   std::vector<double> AtReceiver; ///< sums over the links of each node
   std::vector<double> AtShooter;
   double SumOfClusters = 0.0; ///< over all links
@@ -67,6 +69,8 @@ Parts Estimator::PartsOf(const Link& link) const
 {
   Parts parts;
   const double variation = link.variation + link.shadowing;
+  const double uncertainty =
+    link.uncertainty * (HiddenLight::Concerns(this->Tree, link) ? this->Hidden.Doubt(link) : 1.0);
   for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
   {
     const OpenId to = link.ends[end];
@@ -77,12 +81,12 @@ Parts Estimator::PartsOf(const Link& link) const
     const double radianceSpread = this->Radiance.Spread(from);
     const double importanceSpread = this->Importance.Spread(to);
     const double unknown =
-      link.uncertainty * (radiance + radianceSpread) * (importance + importanceSpread);
+      uncertainty * (radiance + radianceSpread) * (importance + importanceSpread);
     (hasCluster ? parts.ofClusters : parts.random) +=
       (hasCluster ? OfClusters : OfSurfaces) * unknown;
     if (this->Tree[from].IsCluster())
     {
-      parts.ofClusters += OfUnnamed * link.uncertainty * Mean(this->Tree[from].emission) *
+      parts.ofClusters += OfUnnamed * uncertainty * Mean(this->Tree[from].emission) *
                           this->Importance.RmsOfSource(to);
     }
     parts.atReceiver[end] = variation * radiance * importanceSpread;
@@ -153,9 +157,9 @@ LinkErrors Estimator::Estimate()
 } // namespace
 
 LinkErrors EstimateLinkErrors(const OpenTree& tree, const std::vector<Link>& links,
-  const Flow& radiance, const Flow& importance)
+  const Flow& radiance, const Flow& importance, const HiddenLight& hidden)
 {
-  return Estimator(tree, links, radiance, importance).Estimate();
+  return Estimator(tree, links, radiance, importance, hidden).Estimate();
 }
 
 } // namespace vantage

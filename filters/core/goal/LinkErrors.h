@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/goal/Flow.h"
+#include "core/goal/HiddenLight.h"
 
 #include <vector>
 
@@ -29,8 +30,9 @@ struct LinkErrors
 ///   well has the same sign for all links of that end: mean(L P) is not mean(L) mean(P). These add
 ///   up over the links of a node, at either end; over the nodes partly so, and partly as squares.
 ///
-/// The factors were measured: see the source. O(links + nodes).
+/// `hidden` says what is to be expected of links that no ray has got through. The factors were
+/// measured: see the source. O(links + nodes).
 LinkErrors EstimateLinkErrors(const OpenTree& tree, const std::vector<Link>& links,
-  const Flow& radiance, const Flow& importance);
+  const Flow& radiance, const Flow& importance, const HiddenLight& hidden = {});
 
 } // namespace vantage

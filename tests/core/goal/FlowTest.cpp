@@ -76,6 +76,7 @@ struct Graph
     {
       flow.Sweep(this->Tree(), this->Links(), closure);
     }
+    flow.FindSpreads(this->Tree(), this->Links());
     return flow;
   }
 
@@ -223,6 +224,7 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   }
   const std::vector<double> closure(tree.Size(), 1.0);
   flow.Sweep(tree, {}, closure);
+  flow.FindSpreads(tree, {});
   EXPECT_EQ(flow.Value(1), Color(3.0));
   // Squares 1, 4, 9, 36 of mean 12.5.
   EXPECT_NEAR(flow.Spread(1), std::sqrt(3.5), 1e-12);
@@ -235,6 +237,7 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   link.throughput = 0.2;
   link.variation = 0.1;
   flow.Sweep(tree, { link }, closure);
+  flow.FindSpreads(tree, { link });
   EXPECT_NEAR(flow.Value(2).x, 0.5 / Pi * 0.2 * 3.0, 1e-12);
   EXPECT_NEAR(flow.Spread(2), 0.5 / Pi * 0.1 * 3.0, 1e-12);
   EXPECT_EQ(flow.Arriving(tree[1].firstChild), Color(0.0));
@@ -279,6 +282,7 @@ TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
   // All of it comes from a lamp on a hundredth of the area.
   flow.SetSource(0, Color(0.1), 1.0);
   flow.Sweep(tree, {}, { 1.0 });
+  flow.FindSpreads(tree, {});
   EXPECT_GE(flow.Spread(0), std::sqrt(1.0 - 0.1 * 0.1) - 1e-12);
 }
 
