@@ -116,6 +116,21 @@ TEST(HardCase, ADoorOpenedByAMillimetre)
   EXPECT_LT(ten, 30.0 * one);
 }
 
+/// A dark room beside a lit one: nothing can be known relative to no light at all.
+TEST(HardCase, AClosedDoor)
+{
+  const Scene scene = MakeRoomsWithGap(0.0);
+  Solver solver(scene);
+  solver.SetCamera(scene.cameras[0]);
+  Budget budget;
+  budget.error = 0.01;
+  const RunEnd end = solver.Run(
+    budget, [](const StepReport& report) { return report.work.Evaluations() < 100000; });
+  EXPECT_EQ(end, RunEnd::Converged);
+  const double lit = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(0.1), 0.05));
+  EXPECT_LT(Mean(solver.ViewFluxOfRadiance()), 1e-6 * lit);
+}
+
 TEST(HardCase, NoLightAtAll)
 {
   const Image black = test::CasePicture(test::MakeFurnace(Color(0.5), Color(0.0)), 0.01);

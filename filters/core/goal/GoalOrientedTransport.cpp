@@ -23,6 +23,9 @@ constexpr double LeastTolerance = 5e-4;
 constexpr int MostSweeps = 1000;
 /// From one sweep to the next, the change falls by this at least, or else the sums get balanced.
 constexpr double SlowFall = 0.8;
+/// A view that is darker than this part of the mean radiance of all surfaces is black: errors are
+/// relative to that then. Six decades lie between a street in the sun and one under stars.
+constexpr double Darkness = 1e-6;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
 
@@ -145,7 +148,8 @@ double GoalOrientedTransport::Goal() const
 {
   if (this->Settings.importance)
   {
-    return Mean(this->ViewFlux());
+    const double darkness = Darkness * this->Open[0].view * Mean(this->RadianceFlow.Value(0));
+    return std::max(Mean(this->ViewFlux()), darkness);
   }
   double flux = 0.0;
   for (OpenId id = 0; id < this->Open.Size(); ++id)

@@ -86,7 +86,8 @@ private:
   void FollowTree();
   void SetSources();
   void Converge(Flow& flow);
-  /// What errors are relative to: the view flux, or what it is when all surfaces matter alike.
+  /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
+  /// all surfaces matter alike.
   double Goal() const;
   /// Puts the links with the largest errors that together have `share` of all first, in any order.
   /// Returns how many they are. O(links).
