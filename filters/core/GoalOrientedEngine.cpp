@@ -13,7 +13,7 @@ namespace
 
 /// A round refines the worst links that together have this part of all errors. More makes fewer
 /// rounds, and refines more links that need it less.
-constexpr double RefinedShare = 0.45;
+constexpr double RefinedShare = 0.3;
 /// An error that is estimated from fewer links is no estimate.
 constexpr std::size_t LeastLinks = 256;
 

@@ -77,6 +77,7 @@ void GoalOrientedTransport::FollowTree()
   for (OpenId id = static_cast<OpenId>(this->Closure.size()); id < this->Open.Size(); ++id)
   {
     this->Closure.push_back(id == 0 ? 1.0 : this->Closure[this->Open[id].parent]);
+    this->MaySplit.push_back(this->IsLargeEnough(id));
   }
 }
 
@@ -290,17 +291,16 @@ std::size_t GoalOrientedTransport::MoveWorstFirst(
   return static_cast<std::size_t>(last - links.begin());
 }
 
-bool GoalOrientedTransport::MaySplit(OpenId id) const
+bool GoalOrientedTransport::IsLargeEnough(OpenId id) const
 {
   const OpenNode& node = this->Open[id];
-  return node.IsCluster() || !node.IsLeaf() ||
-         (node.level < this->Settings.maximumLevel &&
-           0.5 * LongestEdge(this->Open.Geometry(id)) >= this->MinimumLength);
+  return node.IsCluster() || (node.level < this->Settings.maximumLevel &&
+                               0.5 * LongestEdge(this->Open.Geometry(id)) >= this->MinimumLength);
 }
 
 bool GoalOrientedTransport::MayRefine(const Link& link) const
 {
-  return this->MaySplit(link.ends[0]) || this->MaySplit(link.ends[1]);
+  return this->MaySplit[link.ends[0]] || this->MaySplit[link.ends[1]];
 }
 
 std::array<bool, 2> GoalOrientedTransport::EndsToSplit(const Link& link) const
@@ -310,7 +310,7 @@ std::array<bool, 2> GoalOrientedTransport::EndsToSplit(const Link& link) const
   {
     return { true, true };
   }
-  const std::array<bool, 2> may{ this->MaySplit(a), this->MaySplit(b) };
+  const std::array<bool, 2> may{ this->MaySplit[a], this->MaySplit[b] };
   const double first = this->Open.Geometry(a).radius;
   const double second = this->Open.Geometry(b).radius;
   const bool isClusterFirst = this->Open[a].IsCluster();
@@ -388,8 +388,8 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
 std::size_t GoalOrientedTransport::Bytes() const
 {
   return this->Open.Bytes() + this->AllLinks.capacity() * (sizeof(Link) + sizeof(double)) +
-         this->Closure.capacity() * sizeof(double) + this->RadianceFlow.Bytes() +
-         this->ImportanceFlow.Bytes();
+         this->Closure.capacity() * sizeof(double) + this->MaySplit.capacity() / 8 +
+         this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
 }
 
 } // namespace vantage

@@ -94,7 +94,7 @@ private:
   std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;
   /// Removes links, given in ascending order, and returns them.
   std::vector<Link> TakeOut(const std::vector<std::uint32_t>& links);
-  bool MaySplit(OpenId id) const;
+  bool IsLargeEnough(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;
   void AppendRequests(const Link& link, std::vector<LinkRequest>& requests);
@@ -111,6 +111,7 @@ private:
   std::vector<double> Errors; ///< LinkErrors::ofLink
   HiddenLight Hidden;
   std::vector<double> Closure;
+  std::vector<bool> MaySplit; ///< of each node
   Flow RadianceFlow;
   Flow ImportanceFlow;
   double Estimate = 0.0;

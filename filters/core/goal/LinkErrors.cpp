@@ -12,11 +12,11 @@ namespace
 /// Measured: vantage-benchmarks study, all scenes and random rooms, asked errors of 10, 5, 2 and
 /// 1 %, so that nineteen pictures of twenty keep what was asked, at the least cost. Uncertainties
 /// are upper bounds where rays agree, and deviations where they do not.
-constexpr double OfSurfaces = 0.36;
-constexpr double OfClusters = 0.06;
-constexpr double OfUnnamed = 0.3;
-constexpr double OfNode = 0.72;
-constexpr double OfAllNodes = 0.0144;
+constexpr double OfSurfaces = 0.39;
+constexpr double OfClusters = 0.065;
+constexpr double OfUnnamed = 0.325;
+constexpr double OfNode = 0.78;
+constexpr double OfAllNodes = 0.0156;
 
 /// The parts of the error of one link.
 struct Parts
@@ -32,38 +32,65 @@ struct Parts
   }
 };
 
+/// What the parts of links need to know of a node, means of channels.
+struct NodeValues
+{
+  double radiance = 0.0;
+  double radianceSpread = 0.0;
+  double importance = 0.0; ///< received
+  double importanceSpread = 0.0;
+  double emission = 0.0;
+  double emissionOfCluster = 0.0;
+  double straight = 0.0;           ///< part of the importance that came over one reflection
+  double sourceOfImportance = 0.0; ///< root mean square
+  bool isCluster = false;
+};
+
 class Estimator
 {
 public:
   Estimator(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
-    const Flow& importance, const HiddenLight& hidden)
-    : Tree(tree)
-    , Links(links)
-    , Radiance(radiance)
-    , Importance(importance)
-    , Hidden(hidden)
-    , AtReceiver(tree.Size(), 0.0)
-    , AtShooter(tree.Size(), 0.0)
-  {
-  }
+    const Flow& importance, const HiddenLight& hidden);
 
   LinkErrors Estimate();
 
 private:
   Parts PartsOf(const Link& link) const;
-  double LookedUp(OpenId from, OpenId to) const;
   double LossWithout(const Link& link, const Parts& parts) const;
 
   const OpenTree& Tree;
   const std::vector<Link>& Links;
-  const Flow& Radiance;
-  const Flow& Importance;
   const HiddenLight& Hidden;
+  std::vector<NodeValues> Nodes;
   std::vector<double> AtReceiver; ///< sums over the links of each node
   std::vector<double> AtShooter;
   double SumOfClusters = 0.0; ///< over all links
   double SumOfNodes = 0.0;
 };
+
+Estimator::Estimator(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
+  const Flow& importance, const HiddenLight& hidden)
+  : Tree(tree)
+  , Links(links)
+  , Hidden(hidden)
+  , Nodes(tree.Size())
+  , AtReceiver(tree.Size(), 0.0)
+  , AtShooter(tree.Size(), 0.0)
+{
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    NodeValues& node = this->Nodes[id];
+    node.isCluster = tree[id].IsCluster();
+    node.radiance = Mean(radiance.Value(id));
+    node.radianceSpread = radiance.Spread(id);
+    node.importance = Mean(importance.Received(id));
+    node.importanceSpread = importance.Spread(id);
+    node.emission = Mean(radiance.Source(id));
+    node.emissionOfCluster = node.isCluster ? Mean(tree[id].emission) : 0.0;
+    node.straight = importance.StraightPart(id);
+    node.sourceOfImportance = importance.RmsOfSource(id);
+  }
+}
 
 Parts Estimator::PartsOf(const Link& link) const
 {
@@ -73,36 +100,27 @@ Parts Estimator::PartsOf(const Link& link) const
     link.uncertainty * (HiddenLight::Concerns(this->Tree, link) ? this->Hidden.Doubt(link) : 1.0);
   for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
   {
-    const OpenId to = link.ends[end];
-    const OpenId from = link.ends[1 - end];
-    const bool hasCluster = this->Tree[from].IsCluster() || this->Tree[to].IsCluster();
-    const double radiance = this->LookedUp(from, to);
-    const double importance = Mean(this->Importance.Received(to));
-    const double radianceSpread = this->Radiance.Spread(from);
-    const double importanceSpread = this->Importance.Spread(to);
+    const NodeValues& to = this->Nodes[link.ends[end]];
+    const NodeValues& from = this->Nodes[link.ends[1 - end]];
+    // The radiance that errs with all importance that is received. A named lamp errs with what has
+    // come over two reflections or more: it is integrated where the gather looks up the rest.
+    const double radiance =
+      from.isCluster ? from.radiance : from.radiance - to.straight * from.emission;
     const double unknown =
-      uncertainty * (radiance + radianceSpread) * (importance + importanceSpread);
-    (hasCluster ? parts.ofClusters : parts.random) +=
-      (hasCluster ? OfClusters : OfSurfaces) * unknown;
-    if (this->Tree[from].IsCluster())
+      uncertainty * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
+    if (from.isCluster || to.isCluster)
     {
-      parts.ofClusters += OfUnnamed * uncertainty * Mean(this->Tree[from].emission) *
-                          this->Importance.RmsOfSource(to);
+      parts.ofClusters += OfClusters * unknown +
+                          OfUnnamed * uncertainty * from.emissionOfCluster * to.sourceOfImportance;
     }
-    parts.atReceiver[end] = variation * radiance * importanceSpread;
-    parts.atShooter[1 - end] = variation * radianceSpread * importance;
+    else
+    {
+      parts.random += OfSurfaces * unknown;
+    }
+    parts.atReceiver[end] = variation * radiance * to.importanceSpread;
+    parts.atShooter[1 - end] = variation * from.radianceSpread * to.importance;
   }
   return parts;
-}
-
-/// The radiance of `from` that errs with all importance that `to` receives. A named lamp errs with
-/// what has come over two reflections or more: it is integrated where the gather looks up the rest.
-double Estimator::LookedUp(OpenId from, OpenId to) const
-{
-  const double all = Mean(this->Radiance.Value(from));
-  return this->Tree[from].IsCluster()
-           ? all
-           : all - this->Importance.StraightPart(to) * Mean(this->Radiance.Source(from));
 }
 
 /// (sum)^2 - (sum - part)^2 for each sum that the link is part of.

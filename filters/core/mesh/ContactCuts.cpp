@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace vantage
@@ -22,7 +21,7 @@ constexpr double Touching = 1e-9;
 /// A facet is cut along no more lines than these.
 constexpr int MostCuts = 6;
 
-/// Which facets are near which: a grid of cells of about their size.
+/// Which facets are near which: a grid of cells of about their size, hashed.
 class Neighbourhood
 {
 public:
@@ -30,30 +29,30 @@ public:
     : Tolerance(tolerance)
   {
     double sum = 0.0;
+    this->Boxes.reserve(facets.size());
     for (const Facet& facet : facets)
     {
       this->Boxes.emplace_back(facet.shape);
       sum += glm::length(this->Boxes.back().high - this->Boxes.back().low);
     }
     this->CellSize = std::max(2.0 * sum / static_cast<double>(facets.size()), 8.0 * tolerance);
-    for (std::uint32_t f = 0; f < facets.size(); ++f)
-    {
-      this->ForEachCell(
-        this->Boxes[f], [this, f](std::uint64_t cell) { this->Cells[cell].push_back(f); });
-    }
+    this->FillBuckets();
   }
 
   /// In ascending order, without itself.
   std::vector<std::uint32_t> Of(std::uint32_t facet) const
   {
     std::vector<std::uint32_t> found;
-    this->ForEachCell(this->Boxes[facet],
-      [&](std::uint64_t cell)
+    const Box& box = this->Boxes[facet];
+    this->ForEachCell(box,
+      [&](const Cell& cell)
       {
-        const auto here = this->Cells.find(cell);
-        for (const std::uint32_t other : here->second)
+        const std::uint32_t bucket = this->BucketOf(cell);
+        for (std::uint32_t i = this->Starts[bucket]; i < this->Starts[bucket + 1]; ++i)
         {
-          if (other != facet && this->Boxes[other].Touches(this->Boxes[facet], this->Tolerance))
+          const std::uint32_t other = this->Entries[i];
+          if (other != facet && this->Boxes[other].Touches(box, this->Tolerance) &&
+              this->CellAt(glm::max(box.low, this->Boxes[other].low)) == cell)
           {
             found.push_back(other);
           }
@@ -65,29 +64,67 @@ public:
   }
 
 private:
+  using Cell = glm::i64vec3;
+
+  Cell CellAt(const Vec3& point) const
+  {
+    return Cell(glm::floor((point - this->Tolerance) / this->CellSize));
+  }
+
+  std::uint32_t BucketOf(const Cell& cell) const
+  {
+    const std::uint64_t hash = static_cast<std::uint64_t>(cell.x) * 0x9e3779b97f4a7c15ull ^
+                               static_cast<std::uint64_t>(cell.y) * 0xc2b2ae3d27d4eb4full ^
+                               static_cast<std::uint64_t>(cell.z) * 0x165667b19e3779f9ull;
+    return static_cast<std::uint32_t>((hash >> 32) % (this->Starts.size() - 1));
+  }
+
   template <typename Visit>
   void ForEachCell(const Box& box, const Visit& visit) const
   {
-    const glm::i64vec3 low(glm::floor((box.low - this->Tolerance) / this->CellSize));
-    const glm::i64vec3 high(glm::floor((box.high + this->Tolerance) / this->CellSize));
+    const Cell low = this->CellAt(box.low);
+    const Cell high(glm::floor((box.high + this->Tolerance) / this->CellSize));
     for (std::int64_t x = low.x; x <= high.x; ++x)
     {
       for (std::int64_t y = low.y; y <= high.y; ++y)
       {
         for (std::int64_t z = low.z; z <= high.z; ++z)
         {
-          visit(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
-                static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full ^
-                static_cast<std::uint64_t>(z) * 0x165667b19e3779f9ull);
+          visit(Cell(x, y, z));
         }
       }
     }
   }
 
+  /// A counting sort. Cells may share a bucket.
+  void FillBuckets()
+  {
+    this->Starts.assign(2 * this->Boxes.size() + 2, 0);
+    const auto forEachEntry = [this](const auto& visit)
+    {
+      for (std::uint32_t f = 0; f < this->Boxes.size(); ++f)
+      {
+        this->ForEachCell(
+          this->Boxes[f], [&](const Cell& cell) { visit(f, this->BucketOf(cell)); });
+      }
+    };
+    forEachEntry([this](std::uint32_t, std::uint32_t bucket) { ++this->Starts[bucket]; });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& start : this->Starts)
+    {
+      sum += start;
+      start = sum;
+    }
+    this->Entries.resize(sum);
+    forEachEntry([this](std::uint32_t facet, std::uint32_t bucket)
+      { this->Entries[--this->Starts[bucket]] = facet; });
+  }
+
   double Tolerance;
-  double CellSize;
+  double CellSize = 1.0;
   std::vector<Box> Boxes;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> Cells;
+  std::vector<std::uint32_t> Starts; ///< of each bucket in the entries, and the end
+  std::vector<std::uint32_t> Entries;
 };
 
 struct Segment
@@ -98,7 +135,9 @@ struct Segment
 /// Where a polygon meets a plane that it does not lie in, if along more than a point.
 std::optional<Segment> Meeting(const Polygon& p, const Plane& plane, double tolerance)
 {
-  std::vector<Vec3> points;
+  Segment meeting{};
+  int points = 0;
+  const auto add = [&](const Vec3& point) { (points++ == 0 ? meeting.from : meeting.to) = point; };
   for (int i = 0; i < p.Size(); ++i)
   {
     const Vec3& a = p[i];
@@ -107,19 +146,19 @@ std::optional<Segment> Meeting(const Polygon& p, const Plane& plane, double tole
     const double db = plane.Distance(b);
     if (std::abs(da) <= tolerance)
     {
-      points.push_back(a);
+      add(a);
     }
     else if (std::abs(db) > tolerance && (da > 0.0) != (db > 0.0))
     {
-      points.push_back(a + da / (da - db) * (b - a));
+      add(a + da / (da - db) * (b - a));
     }
   }
   // All corners of a polygon in the plane; two points of one that stands on it or passes through.
-  if (points.size() != 2 || glm::length(points[1] - points[0]) <= tolerance)
+  if (points != 2 || glm::length(meeting.to - meeting.from) <= tolerance)
   {
     return std::nullopt;
   }
-  return Segment{ points[0], points[1] };
+  return meeting;
 }
 
 /// A line in the plane of a facet: points with dot(across.normal, x) = across.offset.

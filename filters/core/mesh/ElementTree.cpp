@@ -54,12 +54,27 @@ struct Cut
   double cost = std::numeric_limits<double>::infinity();
 };
 
-int BinOf(const Vec3& key, const Box& box, int axis)
+/// The bins of a box along one axis.
+class Binning
 {
-  const double extent = box.high[axis] - box.low[axis];
-  const double t = extent > 0.0 ? (key[axis] - box.low[axis]) / extent : 0.0;
-  return std::min(static_cast<int>(t * BinCount), BinCount - 1);
-}
+public:
+  Binning(const Box& box, int axis)
+    : Axis(axis)
+    , Low(box.low[axis])
+  {
+    const double extent = box.high[axis] - box.low[axis];
+    this->Scale = extent > 0.0 ? BinCount / extent : 0.0;
+  }
+  int Of(const Vec3& key) const
+  {
+    return std::min(static_cast<int>((key[this->Axis] - this->Low) * this->Scale), BinCount - 1);
+  }
+
+private:
+  int Axis;
+  double Low;
+  double Scale;
+};
 
 /// The cut across one axis with the smallest sum of count times diagonal, a measure of how far a
 /// cluster is from a point. Each side gets an eighth of the items at least, which bounds the depth
@@ -68,9 +83,10 @@ Cut BestCut(const Item* first, const Item* last, const Box& box, int axis)
 {
   std::array<Box, BinCount> boxes;
   std::array<std::ptrdiff_t, BinCount> counts{};
+  const Binning bins(box, axis);
   for (const Item* item = first; item != last; ++item)
   {
-    const int bin = BinOf(item->key, box, axis);
+    const int bin = bins.Of(item->key);
     boxes[bin].Add(item->key);
     ++counts[bin];
   }
@@ -127,8 +143,9 @@ Item* Partition(Item* first, Item* last)
   }
   if (best.bin > 0)
   {
+    const Binning bins(box, best.axis);
     return std::partition(
-      first, last, [&](const Item& item) { return BinOf(item.key, box, best.axis) < best.bin; });
+      first, last, [&](const Item& item) { return bins.Of(item.key) < best.bin; });
   }
   const Vec3 extent = box.Extent();
   const int axis =

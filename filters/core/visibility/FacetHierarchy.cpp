@@ -16,19 +16,6 @@ constexpr std::uint32_t LeafSize = 4;
 /// leaves one box a level behind.
 constexpr int StackSize = 64;
 
-/// Twice the middle of a shape's bounding box.
-Vec3 DoubleMiddle(const Polygon& shape)
-{
-  Vec3 low = shape[0];
-  Vec3 high = shape[0];
-  for (const Vec3& v : shape)
-  {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
-  }
-  return low + high;
-}
-
 } // namespace
 
 FacetHierarchy::FacetHierarchy(const FacetShapes& facets, double tolerance)
@@ -39,30 +26,26 @@ FacetHierarchy::FacetHierarchy(const FacetShapes& facets, double tolerance)
   std::iota(this->Order.begin(), this->Order.end(), 0u);
   if (facets.Size() > 0)
   {
-    std::vector<Vec3> middles;
-    middles.reserve(facets.Size());
+    std::vector<vantage::Box> boxes;
+    boxes.reserve(facets.Size());
     for (std::uint32_t f = 0; f < facets.Size(); ++f)
     {
-      middles.push_back(DoubleMiddle(facets[f]));
+      boxes.emplace_back(facets[f]);
     }
     this->Boxes.resize(1);
-    this->Build(middles, 0, 0, facets.Size());
+    this->Build(boxes, 0, 0, facets.Size());
   }
 }
 
-void FacetHierarchy::Build(
-  const std::vector<Vec3>& middles, std::uint32_t box, std::uint32_t first, std::uint32_t last)
+void FacetHierarchy::Build(const std::vector<vantage::Box>& boxes, std::uint32_t box,
+  std::uint32_t first, std::uint32_t last)
 {
-  const auto& facets = *this->Facets;
-  Vec3 low = facets[this->Order[first]][0];
-  Vec3 high = low;
-  for (std::uint32_t i = first; i < last; ++i)
+  Vec3 low = boxes[this->Order[first]].low;
+  Vec3 high = boxes[this->Order[first]].high;
+  for (std::uint32_t i = first + 1; i < last; ++i)
   {
-    for (const Vec3& v : facets[this->Order[i]])
-    {
-      low = glm::min(low, v);
-      high = glm::max(high, v);
-    }
+    low = glm::min(low, boxes[this->Order[i]].low);
+    high = glm::max(high, boxes[this->Order[i]].high);
   }
   if (last - first <= LeafSize)
   {
@@ -76,15 +59,15 @@ void FacetHierarchy::Build(
     this->Order.begin() + last,
     [&](std::uint32_t a, std::uint32_t b)
     {
-      const double x = middles[a][axis];
-      const double y = middles[b][axis];
+      const double x = boxes[a].low[axis] + boxes[a].high[axis];
+      const double y = boxes[b].low[axis] + boxes[b].high[axis];
       return x != y ? x < y : a < b;
     });
   const auto children = static_cast<std::uint32_t>(this->Boxes.size());
   this->Boxes[box] = { low, high, children, 0 };
   this->Boxes.resize(children + 2);
-  this->Build(middles, children, first, middle);
-  this->Build(middles, children + 1, middle, last);
+  this->Build(boxes, children, first, middle);
+  this->Build(boxes, children + 1, middle, last);
 }
 
 bool FacetHierarchy::Reaches(const Box& box, const ConvexRegion& region) const

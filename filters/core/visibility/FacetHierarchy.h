@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/Box.h"
 #include "core/mesh/Facets.h"
 #include "core/visibility/ConvexRegion.h"
 
@@ -36,8 +37,8 @@ private:
     std::uint32_t count; ///< facets of a leaf; 0 for an inner box
   };
 
-  void Build(
-    const std::vector<Vec3>& middles, std::uint32_t box, std::uint32_t first, std::uint32_t last);
+  void Build(const std::vector<vantage::Box>& boxes, std::uint32_t box, std::uint32_t first,
+    std::uint32_t last);
   bool Reaches(const Box& box, const ConvexRegion& region) const;
 
   /// Calls visit(facet) for facets that reach into the region and step() for all that is looked
