@@ -76,9 +76,17 @@ private:
   test::ReferenceImage Exact;
 };
 
-/// Processor time of solution and picture when the true error first is within the goal, over ever
-/// smaller asked errors; each is a run from the scene on.
-double CpuToGoal(const Target& target, EngineSettings engine, double goal)
+/// Processor time of a picture.
+struct Cost
+{
+  double solve = Never;
+  double image = 0.0;
+  double All() const { return this->solve + this->image; }
+};
+
+/// Of the first picture whose true error is within the goal, over ever smaller asked errors; each
+/// is a run from the scene on.
+Cost CpuToGoal(const Target& target, EngineSettings engine, double goal)
 {
   for (engine.error = 0.2; engine.error > 0.05 * goal; engine.error /= std::sqrt(2.0))
   {
@@ -89,10 +97,10 @@ double CpuToGoal(const Target& target, EngineSettings engine, double goal)
     std::fflush(stdout);
     if (error <= goal)
     {
-      return run.solveCpu + run.imageCpu;
+      return { run.solveCpu, run.imageCpu };
     }
   }
-  return Never;
+  return {};
 }
 
 /// The same of the path tracer. Its error falls with the root of the samples: twice as many until
@@ -128,22 +136,30 @@ double PathTracingCpuToGoal(const Target& target, std::uint64_t seed, double goa
   return Never;
 }
 
-/// How many times as large the true error is when all surfaces matter alike, the solution being
-/// given the time that it takes to the goal with importance.
-double ErrorWithoutImportance(const Target& target, EngineSettings engine, double goal)
+/// When all surfaces matter alike.
+struct WithoutImportance
 {
-  const double cpu = CpuToGoal(target, engine, goal);
-  if (!std::isfinite(cpu))
+  double error = Never; ///< true, over the goal, in the same time
+  double time = Never;  ///< to the same goal, over that with importance
+};
+
+WithoutImportance CostWithoutImportance(const Target& target, EngineSettings engine, double goal)
+{
+  const Cost with = CpuToGoal(target, engine, goal);
+  if (!std::isfinite(with.All()))
   {
-    return Never;
+    return {};
   }
   engine.importance = false;
+  std::printf("# without importance\n");
+  const Cost without = CpuToGoal(target, engine, goal);
   engine.error = goal;
-  engine.seconds = cpu;
+  engine.seconds = with.solve;
   const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
   const double error = target.ErrorOf(run.image);
-  std::printf("# without importance: true %.5f, %.4f s\n", error, run.solveCpu + run.imageCpu);
-  return error / goal;
+  std::printf(
+    "# in the same time: true %.5f, %.4f s + %.4f s\n", error, run.solveCpu, run.imageCpu);
+  return { error / goal, without.All() / with.All() };
 }
 
 /// The picture with pixels that are integrated over their area against one of their centres.
@@ -167,23 +183,25 @@ void MeasureSeed(const SpeedOptions& options, std::uint64_t seed, Table& table)
   engine.seed = seed;
   const Target few(options.fewRooms, seed, options.cache);
   std::printf("# seed %d, noise of the reference %.5f\n", static_cast<int>(seed), few.Noise());
-  const double fewCpu = CpuToGoal(few, engine, options.goal);
+  const double fewCpu = CpuToGoal(few, engine, options.goal).All();
   const double traced = PathTracingCpuToGoal(few, seed, options.tracedGoal);
   table["few rooms, to the goal, s"].push_back(fewCpu);
   table["path tracing, to its goal, s"].push_back(traced);
   table["ratio to path tracing"].push_back(fewCpu / traced);
-  table["few rooms, to the finer goal, s"].push_back(CpuToGoal(few, engine, options.finerGoal));
+  table["few rooms, to the finer goal, s"].push_back(
+    CpuToGoal(few, engine, options.finerGoal).All());
   table["antialiased over pixel centres"].push_back(CostOfAntialiasing(few, engine, options.goal));
   if (options.middleRooms > 0)
   {
     const Target middle(options.middleRooms, seed, options.cache);
-    table["error without importance over goal"].push_back(
-      ErrorWithoutImportance(middle, engine, options.goal));
+    const WithoutImportance without = CostWithoutImportance(middle, engine, options.goal);
+    table["without importance, error in the same time over goal"].push_back(without.error);
+    table["without importance, time to the goal over that with"].push_back(without.time);
   }
   if (options.manyRooms > 0)
   {
     const Target many(options.manyRooms, seed, options.cache);
-    const double manyCpu = CpuToGoal(many, engine, options.goal);
+    const double manyCpu = CpuToGoal(many, engine, options.goal).All();
     table["many rooms, to the goal, s"].push_back(manyCpu);
     table["many rooms over few"].push_back(manyCpu / fewCpu);
   }

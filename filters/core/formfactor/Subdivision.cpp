@@ -39,21 +39,6 @@ std::array<Polygon, 2> AcrossTheMiddle(const Polygon& p)
   return { ClipToFront(p, middle), ClipToFront(p, { -middle.normal, -middle.offset }) };
 }
 
-std::vector<Polygon> InQuadrilaterals(const Polygon& p)
-{
-  std::vector<Polygon> parts;
-  for (int i = 1; i + 1 < p.Size(); i += 2)
-  {
-    Polygon part{ p[0], p[i], p[i + 1] };
-    if (i + 2 < p.Size())
-    {
-      part.Add(p[i + 2]);
-    }
-    parts.push_back(part);
-  }
-  return parts;
-}
-
 std::array<Polygon, 4> InFour(const Polygon& p)
 {
   assert(p.Size() == 3 || p.Size() == 4);

@@ -105,6 +105,21 @@ Polygon Reversed(const Polygon& p)
   return result;
 }
 
+std::vector<Polygon> InQuadrilaterals(const Polygon& p)
+{
+  std::vector<Polygon> parts;
+  for (int i = 1; i + 1 < p.Size(); i += 2)
+  {
+    Polygon part{ p[0], p[i], p[i + 1] };
+    if (i + 2 < p.Size())
+    {
+      part.Add(p[i + 2]);
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 Vec3 PointAt(const Polygon& p, const Vec2& uv)
 {
   return PointAt(p.begin(), p.Size(), uv);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <initializer_list>
+#include <vector>
 
 /// \file Polygon.h
 /// A small convex planar polygon that lives on the stack.
@@ -82,6 +83,9 @@ Polygon ClipToFront(const Polygon& p, const Plane& plane, double tolerance = 0.0
 
 /// The same polygon seen from its other side.
 Polygon Reversed(const Polygon& p);
+
+/// Quadrilaterals around vertex 0 that make up p; the last one may be a triangle.
+std::vector<Polygon> InQuadrilaterals(const Polygon& p);
 
 /// Point of a triangle or quadrilateral at (u, v) in the unit square: bilinear on a quadrilateral
 /// v0 v1 v2 v3 = (0,0) (1,0) (1,1) (0,1); the area-preserving square-to-triangle map of Shirley

@@ -257,20 +257,6 @@ std::optional<Line> BestCut(
   return best;
 }
 
-/// Parts of three or four corners.
-void AddParts(const Polygon& p, std::vector<Polygon>& parts)
-{
-  for (int i = 1; i + 1 < p.Size(); i += 2)
-  {
-    Polygon part{ p[0], p[i], p[i + 1] };
-    if (i + 2 < p.Size())
-    {
-      part.Add(p[i + 2]);
-    }
-    parts.push_back(part);
-  }
-}
-
 /// The line that any piece is to be cut along next.
 std::optional<Line> NextCut(const std::vector<Polygon>& pieces,
   const std::vector<Segment>& contacts, const Vec3& normal, double tolerance)
@@ -317,7 +303,8 @@ std::vector<Polygon> Pieces(
   std::vector<Polygon> parts;
   for (const Polygon& piece : pieces)
   {
-    AddParts(piece, parts);
+    const std::vector<Polygon> few = InQuadrilaterals(piece);
+    parts.insert(parts.end(), few.begin(), few.end());
   }
   return parts;
 }
