@@ -45,7 +45,8 @@ private:
 template <typename Reader>
 void UpdateReader(Reader* reader, const std::string& path, const std::string& format)
 {
-  if (!std::filesystem::is_regular_file(path))
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
   {
     throw InputError(path + ": there is no such file; check the name");
   }

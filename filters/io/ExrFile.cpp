@@ -8,6 +8,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -20,6 +21,12 @@ namespace
 {
 
 constexpr std::array<const char*, 3> ChannelNames = { "R", "G", "B" };
+
+/// Pixels, of what is read.
+constexpr int LargestSide = 32768;
+/// Even a picture of one colour takes a byte for so many pixels, but for what small ones need.
+constexpr double PixelsOfAByte = 4096.0;
+constexpr double PixelsOfAnyFile = 1 << 20;
 
 /// Three floats a pixel, rows from top to bottom as OpenEXR wants them.
 class FloatRows
@@ -52,6 +59,14 @@ private:
   std::vector<float> Values;
 };
 
+/// The library quotes the file's own bytes.
+std::string Printable(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
 std::array<const char*, 3> ChannelsOf(const Imf::ChannelList& channels, const std::string& path)
 {
   if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B"))
@@ -71,6 +86,11 @@ Image ReadChannels(Imf::InputFile& file, const std::string& path)
   const Imath::Box2i window = file.header().dataWindow();
   const int width = window.max.x - window.min.x + 1;
   const int height = window.max.y - window.min.y + 1;
+  if (double(width) * height >
+      PixelsOfAnyFile + PixelsOfAByte * static_cast<double>(std::filesystem::file_size(path)))
+  {
+    throw InputError(path + ": it claims more pixels than it can hold; write it again");
+  }
   const std::array<const char*, 3> names = ChannelsOf(file.header().channels(), path);
   FloatRows rows(width, height);
   for (int k = 0; k < 3; ++k)
@@ -132,10 +152,14 @@ void WriteExr(const Image& image, const std::string& path)
 
 Image ReadExr(const std::string& path)
 {
-  if (!std::filesystem::is_regular_file(path))
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
   {
     throw InputError(path + ": there is no such file; check the name");
   }
+  // Else the library allocates whatever a damaged file asks for.
+  Imf::Header::setMaxImageSize(LargestSide, LargestSide);
+  Imf::Header::setMaxTileSize(LargestSide, LargestSide);
   try
   {
     Imf::InputFile file(path.c_str());
@@ -148,7 +172,7 @@ Image ReadExr(const std::string& path)
   catch (const std::exception& error)
   {
     throw InputError(
-      path + ": it cannot be read as OpenEXR (" + error.what() + "); write it again");
+      path + ": it cannot be read as OpenEXR (" + Printable(error.what()) + "); write it again");
   }
 }
 

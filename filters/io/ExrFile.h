@@ -15,7 +15,8 @@ namespace vantage
 void WriteExr(const Image& image, const std::string& path);
 
 /// Reads channels R, G, B (any precision; a channel Y alone is taken for grey).
-/// \throw InputError when the file does not exist, is no OpenEXR image or has other channels.
+/// \throw InputError when the file does not exist, is no OpenEXR image, has other channels, more
+/// than 32768 rows or columns, or claims more pixels than it can hold.
 Image ReadExr(const std::string& path);
 
 } // namespace vantage

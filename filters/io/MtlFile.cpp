@@ -57,20 +57,18 @@ bool ReadIsTwoSided(const TextLines& lines)
   return sides == 2.0;
 }
 
-/// Name of a new material.
-std::string ReadName(const TextLines& lines, const std::vector<Material>& materials)
+/// Name of a new material, which is taken from here on.
+std::string ReadName(const TextLines& lines, std::unordered_set<std::string>& taken)
 {
   if (lines.Words().size() != 2)
   {
     lines.Fail("newmtl needs a name of one word", "write one, without white space");
   }
   const std::string name(lines.Words()[1]);
-  for (const Material& m : materials)
+  if (!taken.insert(name).second)
   {
-    if (m.name == name)
-    {
-      lines.Fail("material '" + name + "' is defined for the second time", "rename one of them");
-    }
+    lines.Fail("material " + TextLines::Quoted(name) + " is defined for the second time",
+      "rename one of them");
   }
   return name;
 }
@@ -124,6 +122,11 @@ void ReadMtl(
 {
   TextLines lines(path);
   const std::size_t first = materials.size();
+  std::unordered_set<std::string> taken;
+  for (const Material& m : materials)
+  {
+    taken.insert(m.name);
+  }
   std::size_t lineOfMaterial = 0;
   while (lines.Next())
   {
@@ -135,7 +138,7 @@ void ReadMtl(
         CheckEnergy(lines, lineOfMaterial, materials.back());
       }
       Material material;
-      material.name = ReadName(lines, materials);
+      material.name = ReadName(lines, taken);
       materials.push_back(material);
       lineOfMaterial = lines.Line();
     }
@@ -144,7 +147,7 @@ void ReadMtl(
       if (materials.size() == first)
       {
         lines.Fail(
-          "'" + std::string(word) + "' stands before the first newmtl", "name the material first");
+          TextLines::Quoted(word) + " stands before the first newmtl", "name the material first");
       }
       ReadStatement(lines, materials.back(), warnings);
     }

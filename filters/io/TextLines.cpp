@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -15,7 +16,12 @@ namespace vantage
 namespace
 {
 
-constexpr std::string_view WhiteSpace = " \t\r\f\v";
+constexpr std::string_view WhiteSpace = " \t";
+
+bool IsControl(char c)
+{
+  return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f';
+}
 
 void SplitWords(std::string_view line, std::vector<std::string_view>& words)
 {
@@ -41,7 +47,9 @@ TextLines::TextLines(const std::string& path)
     throw InputError(path + ": there is no such file; check the name");
   }
   std::ifstream file(path, std::ios::binary);
-  if (std::filesystem::is_directory(status) || !file)
+  // A device may go on for ever.
+  const bool ends = std::filesystem::is_regular_file(status) || std::filesystem::is_fifo(status);
+  if (!ends || !file)
   {
     throw InputError(path + ": this is no file that can be read; check name and permissions");
   }
@@ -56,11 +64,16 @@ bool TextLines::Next()
 {
   while (this->Position < this->Text.size())
   {
-    const std::size_t end = std::min(this->Text.find('\n', this->Position), this->Text.size());
-    SplitWords(std::string_view(this->Text).substr(this->Position, end - this->Position),
-      this->CurrentWords);
-    this->Position = end + 1;
+    const std::size_t size = this->Text.size();
+    const std::size_t end = std::min(this->Text.find_first_of("\r\n", this->Position), size);
+    const std::string_view line(this->Text.data() + this->Position, end - this->Position);
+    this->Position = end + (this->Text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
     ++this->LineNumber;
+    if (std::any_of(line.begin(), line.end(), IsControl))
+    {
+      this->Fail("there is a control character in this line", "remove it, if this is a text file");
+    }
+    SplitWords(line, this->CurrentWords);
     if (!this->CurrentWords.empty())
     {
       return true;
@@ -71,7 +84,14 @@ bool TextLines::Next()
 
 bool TextLines::EndsAbruptly() const
 {
-  return !this->Text.empty() && this->Text.back() != '\n';
+  return !this->Text.empty() && this->Text.back() != '\n' && this->Text.back() != '\r';
+}
+
+std::string TextLines::Quoted(std::string_view word)
+{
+  constexpr std::size_t Longest = 60;
+  const bool isCut = word.size() > Longest;
+  return "'" + std::string(word.substr(0, Longest)) + (isCut ? "...'" : "'");
 }
 
 double TextLines::Number(std::size_t i) const
@@ -95,12 +115,11 @@ double TextLines::Number(std::size_t i) const
   }
   if (error == std::errc::invalid_argument || !isWhole)
   {
-    this->Fail("'" + std::string(this->CurrentWords[i]) + "' is not a number", "write a number");
+    this->Fail(Quoted(this->CurrentWords[i]) + " is not a number", "write a number");
   }
   if (error != std::errc() || !std::isfinite(x))
   {
-    this->Fail("'" + std::string(this->CurrentWords[i]) + "' is not a finite number",
-      "write a finite number");
+    this->Fail(Quoted(this->CurrentWords[i]) + " is not a finite number", "write a finite number");
   }
   return x;
 }

@@ -13,15 +13,16 @@
 namespace vantage
 {
 
-/// Lines of a text file, split at white space. Every complaint is an InputError of the form
-/// "file:line: what; mend".
+/// Lines of a text file, split at blanks and tabs; they end as on any system. Every complaint is an
+/// InputError of the form "file:line: what; mend".
 class TextLines
 {
 public:
   /// \throw InputError when the file does not exist or cannot be read.
   explicit TextLines(const std::string& path);
 
-  /// Goes to the next line that has a word; false at the end.
+  /// Goes to the next line that has a word; false at the end. \throw InputError when the line has
+  /// control characters: others would split it elsewhere, or write what it says to a terminal.
   bool Next();
 
   /// The words of the line, valid until the next call of Next().
@@ -31,6 +32,9 @@ public:
 
   /// Whether the last line lacks its line end, as in a file that was cut off.
   bool EndsAbruptly() const;
+
+  /// A word to complain about: in quotes, and cut off when it is very long.
+  static std::string Quoted(std::string_view word);
 
   /// Word i as a finite number, correctly rounded. \throw InputError when it is none or missing.
   double Number(std::size_t i) const;

@@ -47,6 +47,26 @@ TEST(ExrFile, TheTopRowStandsFirstInTheFile)
   EXPECT_EQ(red, (std::vector<float>{ 7.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f }));
 }
 
+TEST(ExrFile, RefusesAFileOfSomeBytesThatClaimsABillionPixels)
+{
+  const TemporaryFolder folder;
+  WriteExr(Image(8, 8), folder / "whole.exr");
+  std::string text = test::ReadText(folder / "whole.exr");
+  // Behind the name, the type, the size and the lower ends of the data window.
+  const std::size_t upperEnds = text.find("dataWindow") + 11 + 6 + 4 + 8;
+  text.replace(upperEnds, 8, std::string("\xff\x7e\0\0\xff\x7e\0\0", 8));
+  text.append(20000, '\0'); // there has to be a table of the rows
+  try
+  {
+    ReadExr(folder.Write("huge.exr", text));
+    FAIL() << "the file was read";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("more pixels"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ExrFile, RefusesWhatIsNoImage)
 {
   const TemporaryFolder folder;

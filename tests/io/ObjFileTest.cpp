@@ -143,6 +143,44 @@ TEST(ObjFile, ReadsWhatOtherProgramsWrite)
   EXPECT_NE(warnings[0].find("s.obj:17"), std::string::npos) << warnings[0];
 }
 
+TEST(ObjFile, LinesEndAsOnAnySystem)
+{
+  const TemporaryFolder folder;
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    std::string text = "# c|v 0 0 0|v 1 0 0|v 1 1 0|f 1 2 3|";
+    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at))
+    {
+      text.replace(at, 1, end);
+    }
+    std::vector<std::string> warnings;
+    const Scene scene = ReadObj(folder.Write("s.obj", text), &warnings);
+    EXPECT_EQ(scene.vertices.size(), 3u);
+    EXPECT_EQ(scene.PolygonCount(), 1u);
+    EXPECT_TRUE(warnings.empty());
+    try
+    {
+      ReadObj(folder.Write("s.obj", text + end + "x"));
+      FAIL() << "the file was read";
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("s.obj:7: "), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(ObjFile, TheDefaultMaterialHasANameOfItsOwn)
+{
+  const TemporaryFolder folder;
+  folder.Write("m.mtl", "newmtl default\nKd 1 0 0\n");
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  const Scene scene = ReadObj(folder.Write("s.obj", "mtllib m.mtl\n" + triangle));
+  ASSERT_EQ(scene.materials.size(), 2u);
+  WriteObj(scene, folder / "again.obj");
+  ExpectEqual(ReadObj(folder / "again.obj"), scene);
+}
+
 TEST(ObjFile, WarnsOfWhatMayHaveBeenCutOffAndOfTextures)
 {
   const TemporaryFolder folder;
@@ -191,6 +229,8 @@ const BadFile BadFiles[] = {
   { "CornerCutOff", "v 0 0 0\nf 1 1 1/\n", GoodMtl, "s.obj:2: ", "'1/' is no corner" },
   { "CornerTooLong", "v 0 0 0\nf 1 1 1/1/1/1\n", GoodMtl, "s.obj:2: ", "is no corner" },
   { "NotObj", "\x89PNG\r\n", GoodMtl, "s.obj:1: ", "is no statement" },
+  { "Binary", "v 0 0 0\no \x1b[31m\n", GoodMtl, "s.obj:2: ", "control character" },
+  { "FormFeed", "f 1\f2 3 4\n", GoodMtl, "s.obj:1: ", "control character" },
   { "EmptyFile", "", GoodMtl, "s.obj: ", "no polygons" },
   { "NoFaces", "v 0 0 0\n", GoodMtl, "s.obj: ", "no polygons" },
   { "CameraCutOff", "# camera c eye 0 0 0 look-at 1 0 0\n", GoodMtl, "s.obj:1: ", "camera" },
@@ -259,6 +299,10 @@ TEST(ObjFile, MissingFilesAndFoldersAreRefused)
   const TemporaryFolder folder;
   EXPECT_THROW(ReadObj(folder / "none.obj"), InputError);
   EXPECT_THROW(ReadObj(folder / "."), InputError);
+  EXPECT_THROW(ReadObj("/dev/zero"), InputError);
+  EXPECT_THROW(ReadObj(folder / std::string(5000, 'n')), InputError);
+  const std::string tooLong = "mtllib " + std::string(5000, 'n') + "\n";
+  EXPECT_THROW(ReadObj(folder.Write("s.obj", tooLong)), InputError);
 }
 
 TEST(ObjFile, RefusesToWriteWhatCannotBeReadBack)

@@ -1,14 +1,14 @@
-#include "io/ObjLines.h"
-
 #include "core/Error.h"
 #include "io/CameraFile.h"
 #include "io/MtlFile.h"
+#include "io/ObjFile.h"
 #include "io/TextLines.h"
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
+#include <unordered_map>
 
 namespace vantage
 {
@@ -16,8 +16,12 @@ namespace vantage
 namespace
 {
 
-/// tinyobjloader counts the corners of a face in one byte.
+/// The time it takes to cut a polygon into convex parts grows faster than the number of its
+/// corners.
 constexpr std::size_t MostCorners = 255;
+
+/// Of a polygon before any usemtl, until its material is known.
+constexpr std::uint32_t NoMaterial = ~0u;
 
 /// Statements without a meaning for light.
 const std::set<std::string_view> Harmless = { "vn", "vt", "vp", "vw", "t", "g", "o", "s", "mg",
@@ -26,6 +30,18 @@ const std::set<std::string_view> Harmless = { "vn", "vt", "vp", "vw", "t", "g", 
 /// Shapes that are no polygons.
 const std::set<std::string_view> OtherShapes = { "l", "p", "cstype", "deg", "bmat", "step", "curv",
   "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con", "ctech", "stech" };
+
+/// Undoes the backslashes of a file name in a mtllib statement.
+std::string UnescapeFileName(const std::string& name)
+{
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i)
+  {
+    i += name[i] == '\\' && i + 1 < name.size() ? 1 : 0;
+    plain += name[i];
+  }
+  return plain;
+}
 
 /// Reads a file from first to last line.
 class ObjLineReader
@@ -36,7 +52,7 @@ public:
   {
   }
 
-  ObjLines Read()
+  Scene Read()
   {
     while (this->Lines.Next())
     {
@@ -46,12 +62,19 @@ public:
     {
       this->FailIndex(this->LineOfLargestIndex, std::to_string(this->LargestIndex));
     }
+    if (this->Result.PolygonCount() == 0)
+    {
+      throw InputError(this->Lines.Path() + ": it has no polygons; add at least one face (f)");
+    }
     if (this->Lines.EndsAbruptly())
     {
       this->Warn("the last line has no line end; the file may have been cut off");
     }
+    this->AddDefaultMaterialIfUsed();
     return std::move(this->Result);
   }
+
+  std::vector<std::string> TakeWarnings() { return std::move(this->Warnings); }
 
 private:
   void ReadLine()
@@ -67,7 +90,7 @@ private:
     }
     else if (word == "usemtl")
     {
-      this->CheckUseOfMaterial();
+      this->UseMaterial();
     }
     else if (word == "mtllib")
     {
@@ -86,8 +109,8 @@ private:
     }
     else if (word.front() != '#' && Harmless.count(word) == 0)
     {
-      this->Lines.Fail("'" + std::string(word.substr(0, 20)) + "' is no statement of OBJ",
-        "mend or remove the line");
+      this->Lines.Fail(
+        TextLines::Quoted(word) + " is no statement of OBJ", "mend or remove the line");
     }
   }
 
@@ -117,13 +140,14 @@ private:
     }
     for (std::size_t i = 1; i <= corners; ++i)
     {
-      this->CheckCorner(this->Lines.Words()[i]);
+      this->ReadCorner(this->Lines.Words()[i]);
     }
-    ++this->Result.faces;
+    this->Result.offsets.push_back(static_cast<std::uint32_t>(this->Result.indices.size()));
+    this->Result.materialOfPolygon.push_back(this->CurrentMaterial);
   }
 
   /// A corner is v, v/vt, v//vn or v/vt/vn; only v matters.
-  void CheckCorner(std::string_view corner)
+  void ReadCorner(std::string_view corner)
   {
     int part = 0;
     std::size_t begin = 0;
@@ -138,14 +162,14 @@ private:
       }
       if (!text.empty())
       {
-        this->CheckIndex(corner, text, part == 0);
+        this->ReadIndex(corner, text, part == 0);
       }
       begin = end + 1;
       ++part;
     }
   }
 
-  void CheckIndex(std::string_view corner, std::string_view text, bool isVertex)
+  void ReadIndex(std::string_view corner, std::string_view text, bool isVertex)
   {
     int index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -158,24 +182,31 @@ private:
     {
       this->FailIndex(this->Lines.Line(), std::string(text));
     }
+    if (!isVertex)
+    {
+      return;
+    }
+    this->Result.indices.push_back(
+      static_cast<std::uint32_t>(index > 0 ? index - 1 : known + index));
     // A positive index may refer to a vertex further down.
-    if (isVertex && index > this->LargestIndex)
+    if (index > this->LargestIndex)
     {
       this->LargestIndex = index;
       this->LineOfLargestIndex = this->Lines.Line();
     }
   }
 
-  void CheckUseOfMaterial()
+  void UseMaterial()
   {
     const auto& words = this->Lines.Words();
-    const std::vector<Material>& known = this->Result.materials;
     const std::string name(words.size() > 1 ? words[1] : "");
-    if (std::none_of(known.begin(), known.end(), [&](const Material& m) { return m.name == name; }))
+    const auto known = this->MaterialOfName.find(name);
+    if (known == this->MaterialOfName.end())
     {
-      this->Lines.Fail("material '" + name + "' is in no .mtl file named above",
+      this->Lines.Fail("material " + TextLines::Quoted(name) + " is in no .mtl file named above",
         "define it there or correct the name");
     }
+    this->CurrentMaterial = known->second;
   }
 
   void ReadMaterials()
@@ -193,15 +224,40 @@ private:
     }
     const std::filesystem::path folder = std::filesystem::path(this->Lines.Path()).parent_path();
     const std::string path = (folder / UnescapeFileName(name)).string();
-    if (name.empty() || !std::filesystem::is_regular_file(path))
+    std::error_code error; // such as a name that is too long
+    if (name.empty() || !std::filesystem::is_regular_file(path, error))
     {
       this->Lines.Fail(
         "material file '" + path + "' does not exist", "put it there or correct the mtllib line");
     }
     if (this->ReadMaterialFiles.insert(path).second)
     {
-      ReadMtl(path, this->Result.materials, &this->Result.warnings);
+      std::vector<Material>& materials = this->Result.materials;
+      const std::size_t known = materials.size();
+      ReadMtl(path, materials, &this->Warnings);
+      for (std::size_t m = known; m < materials.size(); ++m)
+      {
+        this->MaterialOfName.emplace(materials[m].name, static_cast<std::uint32_t>(m));
+      }
     }
+  }
+
+  void AddDefaultMaterialIfUsed()
+  {
+    std::vector<std::uint32_t>& used = this->Result.materialOfPolygon;
+    if (std::find(used.begin(), used.end(), NoMaterial) == used.end())
+    {
+      return;
+    }
+    std::replace(used.begin(), used.end(), NoMaterial,
+      static_cast<std::uint32_t>(this->Result.materials.size()));
+    Material plain;
+    plain.name = "default";
+    while (this->MaterialOfName.count(plain.name) > 0)
+    {
+      plain.name += "'";
+    }
+    this->Result.materials.push_back(plain);
   }
 
   void ReadCameraIfAny()
@@ -214,13 +270,13 @@ private:
 
   void Warn(const std::string& what)
   {
-    this->Result.warnings.push_back(
+    this->Warnings.push_back(
       this->Lines.Path() + ":" + std::to_string(this->Lines.Line()) + ": " + what);
   }
 
   [[noreturn]] void FailCorner(std::string_view corner) const
   {
-    this->Lines.Fail("'" + std::string(corner) + "' is no corner of a face",
+    this->Lines.Fail(TextLines::Quoted(corner) + " is no corner of a face",
       "write v, v/vt, v//vn or v/vt/vn with whole numbers");
   }
 
@@ -232,8 +288,11 @@ private:
   }
 
   TextLines Lines;
-  ObjLines Result;
+  Scene Result;
+  std::vector<std::string> Warnings;
   std::set<std::string> ReadMaterialFiles;
+  std::unordered_map<std::string, std::uint32_t> MaterialOfName;
+  std::uint32_t CurrentMaterial = NoMaterial;
   std::set<std::string> WarnedShapes;
   long long LargestIndex = 0;
   std::size_t LineOfLargestIndex = 0;
@@ -241,20 +300,17 @@ private:
 
 } // namespace
 
-ObjLines ReadObjLines(const std::string& path)
+Scene ReadObj(const std::string& path, std::vector<std::string>* warnings)
 {
-  return ObjLineReader(path).Read();
-}
-
-std::string UnescapeFileName(const std::string& name)
-{
-  std::string plain;
-  for (std::size_t i = 0; i < name.size(); ++i)
+  ObjLineReader reader(path);
+  Scene scene = reader.Read();
+  scene.Validate();
+  if (warnings)
   {
-    i += name[i] == '\\' && i + 1 < name.size() ? 1 : 0;
-    plain += name[i];
+    const std::vector<std::string> found = reader.TakeWarnings();
+    warnings->insert(warnings->end(), found.begin(), found.end());
   }
-  return plain;
+  return scene;
 }
 
 } // namespace vantage
