@@ -8,6 +8,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -191,6 +192,36 @@ TEST(SceneAdapter, NumbersThatAreNotFiniteAreAnErrorThatNamesTheCell)
       EXPECT_NE(std::string(error.what()).find("Emission"), std::string::npos);
       EXPECT_NE(std::string(error.what()).find("cell 1"), std::string::npos);
     }
+  }
+}
+
+TEST(SceneAdapter, CornersAndOffsetsOutOfRangeAreAnError)
+{
+  // Cut down to 32 bits, the last one would be a point that there is.
+  for (const vtkIdType bad : { vtkIdType(-1), vtkIdType(4), (vtkIdType(1) << 32) + 1 })
+  {
+    const auto square = MakeSquares(1);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, bad });
+    square->SetPolys(cells);
+    EXPECT_THROW(PolyDataToScene(square), InputError) << bad;
+  }
+  for (const vtkIdType bad : { vtkIdType(-1), vtkIdType(2), vtkIdType(7) })
+  {
+    const auto square = MakeSquares(1);
+    vtkNew<vtkIdTypeArray> offsets, corners;
+    for (const vtkIdType offset : { vtkIdType(0), vtkIdType(3), bad })
+    {
+      offsets->InsertNextValue(offset);
+    }
+    for (vtkIdType k = 0; k < 6; ++k)
+    {
+      corners->InsertNextValue(k % 4);
+    }
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(offsets, corners);
+    square->SetPolys(cells);
+    EXPECT_THROW(PolyDataToScene(square), InputError) << bad;
   }
 }
 

@@ -162,8 +162,28 @@ void ReadMaterials(vtkPolyData* polygons, const MaterialArrays& arrays, Scene& s
   }
 }
 
+/// Arrays that a program puts together may say anything.
+void CheckCells(vtkCellArray* cells)
+{
+  const vtkIdType corners = cells->GetNumberOfConnectivityIds();
+  vtkIdType last = 0;
+  for (vtkIdType c = 0; c <= cells->GetNumberOfCells(); ++c)
+  {
+    const vtkIdType offset = cells->IsStorage64Bit() ? cells->GetOffsetsArray64()->GetValue(c)
+                                                     : cells->GetOffsetsArray32()->GetValue(c);
+    if (offset < last || offset > corners)
+    {
+      throw InputError("polygons: the offset of cell " + std::to_string(c) + " is " +
+                       std::to_string(offset) + "; give ascending ones up to " +
+                       std::to_string(corners) + ", the number of corners");
+    }
+    last = offset;
+  }
+}
+
 void ReadPolygons(vtkPolyData* polygons, Scene& scene)
 {
+  CheckCells(polygons->GetPolys());
   scene.vertices.resize(static_cast<std::size_t>(polygons->GetNumberOfPoints()));
   for (std::size_t v = 0; v < scene.vertices.size(); ++v)
   {
@@ -175,6 +195,12 @@ void ReadPolygons(vtkPolyData* polygons, Scene& scene)
     polygons->GetPolys()->GetCellAtId(p, corners);
     for (const vtkIdType corner : *corners)
     {
+      if (corner < 0 || corner >= polygons->GetNumberOfPoints())
+      {
+        throw InputError("polygon " + std::to_string(p) + ": point " + std::to_string(corner) +
+                         " is out of range; there are " +
+                         std::to_string(polygons->GetNumberOfPoints()));
+      }
       scene.indices.push_back(static_cast<std::uint32_t>(corner));
     }
     scene.offsets.push_back(static_cast<std::uint32_t>(scene.indices.size()));

@@ -49,7 +49,8 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> SceneToPolyData(const Scen
 /// ordered by MaterialId, then by first use, so that a scene whose materials are all used comes
 /// back from SceneToPolyData() bit for bit. A material without a name is called after its first
 /// cell. Vertex and line cells are ignored. The scene is not validated otherwise: call
-/// Scene::Validate(). O(n log(materials)). \throw InputError for triangle strips and for arrays
+/// Scene::Validate(). O(n log(materials)). \throw InputError for triangle strips, for cells whose
+/// offsets or points are out of range, and for arrays
 /// with a wrong number of tuples or components, NaN or infinite numbers.
 VTKVANTAGEFILTERS_EXPORT Scene PolyDataToScene(vtkPolyData* polygons, const MaterialArrays& arrays);
 
