@@ -53,7 +53,7 @@ LIBRARIES = {
     "VTK": (
         r"vtk\w*\.h$",
         r"\bvtk[A-Z]\w*",
-        ("filters/vtk", "filters/paraview", "apps", "tests/vtk", "tests/apps"),
+        ("filters/vtk", "filters/paraview", "apps", "tests/vtk", "tests/apps", "tests/fuzz"),
     ),
     "Embree": (r"embree\d?/", r"\b(?:rtc[A-Z]|RTC)\w*", ("filters/core/visibility",)),
     "OpenMesh": (r"OpenMesh/", r"\bOpenMesh\b", ("filters/core/mesh",)),
