@@ -37,6 +37,20 @@ Color ReadColor(const TextLines& lines, const std::string& what, double high)
   return c;
 }
 
+Color ReadEmission(const TextLines& lines)
+{
+  const Color emission = ReadColor(lines, "emission (Ke)", Infinity);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (!IsComputable(emission[k]))
+    {
+      lines.Fail("emission (Ke) " + PrintNumber(emission[k]) + " is too dim or too bright",
+        "write 0, or a number between 1e-100 and 1e100");
+    }
+  }
+  return emission;
+}
+
 double ReadShininess(const TextLines& lines)
 {
   const double shininess = lines.Number(1);
@@ -83,7 +97,7 @@ void ReadStatement(const TextLines& lines, Material& material, std::vector<std::
   }
   else if (word == "Ke")
   {
-    material.emission = ReadColor(lines, "emission (Ke)", Infinity);
+    material.emission = ReadEmission(lines);
   }
   else if (word == "Ks")
   {

@@ -14,7 +14,7 @@ namespace vantage
 /// Appends the materials of a file. What is read of each:
 ///   newmtl NAME   one word
 ///   Kd R G B      albedo, 0 .. 1, default 0.5
-///   Ke R G B      emitted radiance, W m^-2 sr^-1, >= 0, default 0
+///   Ke R G B      emitted radiance, W m^-2 sr^-1, 0 (default) or 1e-100 .. 1e100
 ///   Ks R G B      reflectance of the normalised Phong lobe, 0 .. 1, default 0
 ///   Ns N          its exponent, >= 0, default 0
 ///   sides 1|2     1: the back neither reflects nor emits; default 2 (a statement of Vantage's own)

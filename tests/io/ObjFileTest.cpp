@@ -242,6 +242,8 @@ const BadFile BadFiles[] = {
   { "NegativeAlbedo", GoodObj, "newmtl a\nKd .5 -1 .5\n", "m.mtl:2: ", "-1 is negative" },
   { "NegativeEmission", GoodObj, "newmtl a\nKe 0 0 -3\n", "m.mtl:2: ", "-3 is negative" },
   { "NanEmission", GoodObj, "newmtl a\nKe 0 0 nan\n", "m.mtl:2: ", "'nan' is not a finite" },
+  { "DimEmission", GoodObj, "newmtl a\nKe 0 0 1e-310\n", "m.mtl:2: ", "too dim" },
+  { "BrightEmission", GoodObj, "newmtl a\nKe 1e101 0 0\n", "m.mtl:2: ", "too bright" },
   { "ShortAlbedo", GoodObj, "newmtl a\nKd .5 .5\n", "m.mtl:2: ", "three numbers" },
   { "SpectralAlbedo", GoodObj, "newmtl a\nKd spectral a.rfl 1\n", "m.mtl:2: ", "not a number" },
   { "NegativeShininess", GoodObj, "newmtl a\nNs -1\n", "m.mtl:2: ", "shininess" },

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <tuple>
 
 namespace vantage
@@ -16,6 +17,11 @@ namespace vantage
 
 namespace
 {
+
+/// Diagonals between which the fourth power of a length neither vanishes nor overflows, with room
+/// for what is smaller than the scene.
+constexpr double SmallestScene = 1e-70;
+constexpr double LargestScene = 1e75;
 
 /// Indices of welded points; these are ranks by geometry, so comparing them compares geometry.
 using Loop = std::vector<std::uint32_t>;
@@ -412,7 +418,16 @@ FacetSet BuildFacets(const Scene& scene, double weldTolerance)
     result.low = glm::min(result.low, p);
     result.high = glm::max(result.high, p);
   }
-  const double weldDistance = weldTolerance * glm::length(result.high - result.low);
+  const double diagonal = glm::length(result.high - result.low);
+  if (diagonal > 0.0 && !(diagonal >= SmallestScene && diagonal <= LargestScene))
+  {
+    std::ostringstream size;
+    size << diagonal;
+    throw InputError("scene: it is " + size.str() +
+                     " across, and squares of areas cannot be told from zero or infinity; choose "
+                     "another unit of length");
+  }
+  const double weldDistance = weldTolerance * diagonal;
   const WeldedPoints welded = Weld(positions, weldDistance);
 
   FacetBuilder builder(welded.points, weldDistance);

@@ -101,8 +101,8 @@ private:
 /// Flat means within 1e-5 of the polygon's size, collinear within 1e-6 of it: what single precision
 /// and text files leave of a flat polygon.
 /// O(n log n), and O(k^2) for a polygon of k corners that is triangulated.
-/// \throw InputError for a scene that is not valid, a tolerance outside [0, 0.1], or when nothing
-/// is left.
+/// \throw InputError for a scene that is not valid, a tolerance outside [0, 0.1], a diagonal
+/// outside [1e-70, 1e75], or when nothing is left.
 FacetSet BuildFacets(const Scene& scene, double weldTolerance = 1e-9);
 
 } // namespace vantage

@@ -19,8 +19,9 @@ struct Camera
   double fieldOfView = 45.0; ///< vertical, degrees, in (0, 180)
   double aspect = 1.0;       ///< width / height, > 0
 
-  /// \throw InputError when a number is not finite, the field of view or aspect is out of range,
-  /// eye and lookAt coincide, or up is parallel to the line of sight.
+  /// \throw InputError when a number is not finite, the field of view or aspect is out of range or
+  /// both leave an image whose area at distance 1 is not within [1e-100, 1e100], eye and lookAt
+  /// coincide, or up is parallel to the line of sight.
   void Validate() const;
 };
 

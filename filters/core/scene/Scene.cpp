@@ -43,6 +43,14 @@ void ValidateMaterial(const Material& m)
   {
     throw InputError(who + "emission " + Print(m.emission) + " must be finite and not negative");
   }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (!IsComputable(m.emission[k]))
+    {
+      throw InputError(who + "emission must be 0, or between 1e-100 and 1e100: squares of it are "
+                             "computed; choose another unit");
+    }
+  }
   if (!IsWithin(m.specular, 0.0, 1.0))
   {
     throw InputError(who + "specular " + Print(m.specular) + " must lie between 0 and 1");
@@ -67,7 +75,8 @@ void ValidatePolygons(const Scene& scene)
   for (std::size_t p = 0; p < scene.PolygonCount(); ++p)
   {
     const std::string who = "polygon " + std::to_string(p) + ": ";
-    if (scene.offsets[p + 1] < scene.offsets[p] + 3 || scene.offsets[p + 1] > scene.indices.size())
+    const std::size_t end = scene.offsets[p + 1];
+    if (end < std::size_t{ scene.offsets[p] } + 3 || end > scene.indices.size())
     {
       throw InputError(who + "needs at least three vertices");
     }

@@ -14,13 +14,20 @@
 namespace vantage
 {
 
+/// Whether an emission is none, or one whose square neither vanishes nor overflows when it is
+/// multiplied with albedos and areas.
+inline bool IsComputable(double emission)
+{
+  return emission == 0.0 || (emission >= 1e-100 && emission <= 1e100);
+}
+
 /// How a polygon reflects and emits. Diffuse BRDF = albedo / pi.
 struct Material
 {
   std::string name;
-  Color albedo{ 0.5 };    ///< reflected / incident flux, each channel in [0, 1]
-  Color emission{ 0.0 };  ///< emitted radiance of the front side, W m^-2 sr^-1, >= 0
-  Color specular{ 0.0 };  ///< reflectance of the normalised Phong lobe; albedo + specular <= 1
+  Color albedo{ 0.5 };   ///< reflected / incident flux, each channel in [0, 1]
+  Color emission{ 0.0 }; ///< emitted radiance of the front side, W m^-2 sr^-1, 0 or 1e-100 .. 1e100
+  Color specular{ 0.0 }; ///< reflectance of the normalised Phong lobe; albedo + specular <= 1
   double shininess = 0.0; ///< exponent of that lobe, >= 0
   bool twoSided = true;   ///< false: the back side neither reflects nor emits (it still occludes)
 };
@@ -42,8 +49,8 @@ struct Scene
   void AddPolygon(const std::vector<Vec3>& points, std::uint32_t material);
 
   /// \throw InputError naming the first polygon, vertex, material or camera that is wrong: no
-  /// polygons, index out of range, NaN or infinite numbers, albedo outside [0, 1], negative
-  /// emission, albedo + specular above 1.
+  /// polygons, index out of range, NaN or infinite numbers, albedo outside [0, 1], emission
+  /// out of range, albedo + specular above 1.
   void Validate() const;
 
   /// \throw UnknownNameError when there is no camera of that name.

@@ -200,6 +200,19 @@ TEST(Facets, SceneWithoutAreaIsAnError)
   EXPECT_THROW(BuildFacets(Empty()), InputError);
 }
 
+TEST(Facets, ScenesWithoutMeasurableAreasAreAnError)
+{
+  for (const double size : { 5e-324, 1e-160, 1e-71, 1e76, 1e160, 1e308 })
+  {
+    EXPECT_THROW(FacetsOf({ { 0, 0, 0 }, { size, 0, 0 }, { size, size, 0 } }), InputError) << size;
+  }
+  for (const double size : { 1e-69, 1e74 })
+  {
+    const FacetSet set = FacetsOf({ { 0, 0, 0 }, { size, 0, 0 }, { size, size, 0 } });
+    EXPECT_NEAR(set.meanArea / (0.5 * size * size), 1.0, 1e-15) << size; // round-off
+  }
+}
+
 TEST(Facets, WeldToleranceOutOfRangeIsAnError)
 {
   const Scene scene = test::OneRoom();

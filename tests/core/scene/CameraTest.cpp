@@ -80,6 +80,38 @@ TEST(Camera, SightNeedsADirectionAndAnUp)
   }
 }
 
+TEST(Camera, ImagesHaveAnArea)
+{
+  Camera camera;
+  camera.fieldOfView = 1e-60;
+  ExpectFault(camera, "no or endless extent");
+  camera.fieldOfView = 45.0;
+  camera.aspect = 1e101;
+  ExpectFault(camera, "no or endless extent");
+  camera.aspect = 5e-324;
+  ExpectFault(camera, "no or endless extent");
+}
+
+/// The squares of such lengths are no numbers any more.
+TEST(ImagePlane, DirectionsOfAnyLengthAreTheSame)
+{
+  Camera camera;
+  camera.lookAt = { 1, 2, -2 };
+  camera.up = { 0, 1, 1 };
+  const ImagePlane expected(camera);
+  for (const double scale : { 1e-300, 1e-160, 1e160, 1e300 })
+  {
+    Camera scaled = camera;
+    scaled.lookAt *= scale;
+    scaled.up *= scale;
+    scaled.Validate();
+    const ImagePlane plane(scaled);
+    EXPECT_NEAR(glm::length(plane.forward - expected.forward), 0.0, 1e-15) << scale;
+    EXPECT_NEAR(glm::length(plane.right - expected.right), 0.0, 1e-15) << scale;
+    EXPECT_NEAR(glm::length(plane.up - expected.up), 0.0, 1e-15) << scale;
+  }
+}
+
 TEST(ImagePlane, SpansTheFieldOfView)
 {
   Camera camera;

@@ -72,6 +72,12 @@ INSTANTIATE_TEST_SUITE_P(Polygons, SceneFault,
     Fault{ "2 polygons but 1 material", [](Scene& s) { s.materialOfPolygon.pop_back(); } },
     Fault{ "polygon 0: needs at least three vertices", [](Scene& s) { s.offsets[1] = 2; } },
     Fault{ "polygon 1: needs at least three vertices", [](Scene& s) { s.offsets[2] = 100; } },
+    Fault{ "polygon 0: needs at least three vertices",
+      [](Scene& s)
+      {
+        s.offsets[0] = 0xffffffff;
+        s.offsets[1] = 2;
+      } },
     Fault{ "polygon 1: vertex index 7 is out of range", [](Scene& s) { s.indices[4] = 7; } },
     Fault{
       "polygon 1: material index 1 is out of range", [](Scene& s) { s.materialOfPolygon[1] = 1; } },
@@ -85,6 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Materials, SceneFault,
     Fault{ "emission", [](Scene& s) { s.materials[0].emission.x = -1.0; } },
     Fault{ "emission", [](Scene& s) { s.materials[0].emission.y = Infinity; } },
     Fault{ "emission", [](Scene& s) { s.materials[0].emission.z = Nan; } },
+    Fault{ "between 1e-100 and 1e100", [](Scene& s) { s.materials[0].emission.x = 1e101; } },
+    Fault{ "between 1e-100 and 1e100", [](Scene& s) { s.materials[0].emission.y = 5e-324; } },
     Fault{ "specular", [](Scene& s) { s.materials[0].specular.x = -0.1; } },
     Fault{ "specular", [](Scene& s) { s.materials[0].specular.x = Nan; } },
     Fault{ "albedo + specular", [](Scene& s) { s.materials[0].specular.y = 0.6; } },
