@@ -15,9 +15,7 @@ double RelativeMean(const Vec3& eye, const Vec3& lookAt, double fieldOfView)
   scene.cameras[0].eye = eye;
   scene.cameras[0].lookAt = lookAt;
   scene.cameras[0].fieldOfView = fieldOfView;
-  const Image picture = test::CasePicture(scene, 0.02);
-  EXPECT_TRUE(test::IsFinite(picture));
-  return test::MeanRadiance(picture) / test::TracedMean(scene, 256);
+  return test::RelativeToTraced(scene, 0.02, 256);
 }
 
 TEST(HardCase, ViewsOfOneAndOfManyDegrees)

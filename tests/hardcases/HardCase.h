@@ -4,6 +4,8 @@
 #include "core/mesh/Facets.h"
 #include "core/reference/PathTracer.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,6 +65,14 @@ inline double TracedMean(const Scene& scene, int samplesPerPixel)
   settings.samplesPerPixel = samplesPerPixel;
   return MeanRadiance(PathTracer(scene, facets, occluders)
                         .Render(scene.cameras[0], CasePixels, CasePixels, settings));
+}
+
+/// What a picture of default settings has of the slow twin's mean radiance.
+inline double RelativeToTraced(const Scene& scene, double error, int samplesPerPixel)
+{
+  const Image picture = CasePicture(scene, error);
+  EXPECT_TRUE(IsFinite(picture));
+  return MeanRadiance(picture) / TracedMean(scene, samplesPerPixel);
 }
 
 } // namespace vantage::test

@@ -84,8 +84,7 @@ TEST(HardCase, FiveHundredLamps)
   }
   scene.cameras.push_back(test::InsideCamera());
   // Noise of the slow twin: 0.3 %.
-  EXPECT_NEAR(
-    test::MeanRadiance(test::CasePicture(scene, 0.02)) / test::TracedMean(scene, 256), 1.0, 0.02);
+  EXPECT_NEAR(test::RelativeToTraced(scene, 0.02, 256), 1.0, 0.02);
 }
 
 /// Two rooms that share a wall with a gap. The lamp is in one, the camera in the other one.

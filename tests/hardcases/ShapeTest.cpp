@@ -67,8 +67,7 @@ TEST(HardCase, ALouvreOfAHundredSlats)
   }
   scene.cameras.push_back(test::InsideCamera());
   scene.cameras[0].eye.z = 0.7;
-  EXPECT_NEAR(
-    test::MeanRadiance(test::CasePicture(scene, 0.05)) / test::TracedMean(scene, 256), 1.0, 0.05);
+  EXPECT_NEAR(test::RelativeToTraced(scene, 0.05, 256), 1.0, 0.05);
 }
 
 /// Light through a hole of a hundredth of the wall. Oracle: the slow twin.
@@ -91,8 +90,7 @@ TEST(HardCase, APinhole)
   camera.lookAt = Vec3(1.9, 0.6, 0.4);
   scene.cameras.push_back(camera);
   // Noise of the slow twin: about 2 %.
-  EXPECT_NEAR(
-    test::MeanRadiance(test::CasePicture(scene, 0.05)) / test::TracedMean(scene, 1024), 1.0, 0.08);
+  EXPECT_NEAR(test::RelativeToTraced(scene, 0.05, 1024), 1.0, 0.08);
 }
 
 } // namespace
