@@ -2,8 +2,8 @@
 
 #include "accuracy/References.h"
 #include "core/math/ScrambledSobol.h"
+#include "core/reference/ExactDirectLight.h"
 #include "core/visibility/OccluderScene.h"
-#include "support/ExactDirectLight.h"
 #include "support/StudyScenes.h"
 #include "support/TestScenes.h"
 
@@ -59,7 +59,7 @@ TEST(ReferenceImage, DirectLightIsWhatManyShadowRaysFind)
     const test::StudyScene study = test::MakeStudyScene(name);
     const FacetSet facets = BuildFacets(study.scene);
     const OccluderScene occluders(facets);
-    const test::ExactDirectLight exact(study.scene, facets, occluders);
+    const ExactDirectLight exact(study.scene, facets, occluders);
     const ImagePlane plane(study.View());
     double difference = 0.0;
     double total = 0.0;

@@ -36,6 +36,7 @@ EXCEPTIONS = {
     "core/mesh/PatchMesh.h": ("filters/vtk/module/vtkPatchSubdivision.cxx",),
     "core/reference/DenseSolve.h": ("apps/vantage/FormFactorsCommand.cpp",),
     "core/reference/PathTracer.h": ("apps/vantage", "apps/benchmarks"),
+    "core/reference/ReferenceImage.h": ("filters/io",),
     "core/view/ToneMapping.h": ("filters/vtk/module/vtkRadianceToneMapping.cxx", "apps/vantage"),
     "core/visibility/OccluderScene.h": ("apps/benchmarks",),
 }

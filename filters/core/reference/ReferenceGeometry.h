@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/reference/ExactDirectLight.h"
 #include "core/scene/Scene.h"
 #include "core/visibility/OccluderScene.h"
-#include "support/ExactDirectLight.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 /// \file ReferenceGeometry.h
 /// A scene as references see it. Nothing here knows transport/.
 
-namespace vantage::test
+namespace vantage
 {
 
 /// How a surface answers at a point, on one side.
@@ -40,4 +40,4 @@ struct ReferenceGeometry
   ExactDirectLight direct;
 };
 
-} // namespace vantage::test
+} // namespace vantage

@@ -9,7 +9,7 @@
 /// \file ExactDirectLight.h
 /// Direct light without sampling.
 
-namespace vantage::test
+namespace vantage
 {
 
 /// Irradiance from the emitters: what a point sees of each of them, cut out past all occluders in
@@ -40,4 +40,4 @@ private:
   std::vector<Lamp> Lamps;
 };
 
-} // namespace vantage::test
+} // namespace vantage

@@ -1,8 +1,8 @@
-#include "support/ReferenceGeometry.h"
+#include "core/reference/ReferenceGeometry.h"
 
 #include "core/math/ScrambledSobol.h"
 
-namespace vantage::test
+namespace vantage
 {
 
 ReferenceGeometry::ReferenceGeometry(const Scene& givenScene)
@@ -38,4 +38,4 @@ std::vector<std::optional<Hit>> ReferenceGeometry::Gather(
   return hits;
 }
 
-} // namespace vantage::test
+} // namespace vantage

@@ -1,11 +1,11 @@
-#include "support/ExactDirectLight.h"
+#include "core/reference/ExactDirectLight.h"
 
 #include "core/formfactor/FormFactor.h"
 #include "core/formfactor/Shadows.h"
 
 #include <algorithm>
 
-namespace vantage::test
+namespace vantage
 {
 
 namespace
@@ -121,4 +121,4 @@ double ExactDirectLight::SeenOf(const Lamp& lamp, const Hit& hit, const Vec3& no
   return PointToVisiblePolygon(Vec3(0.0), normal, target, shadows);
 }
 
-} // namespace vantage::test
+} // namespace vantage

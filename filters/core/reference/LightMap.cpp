@@ -1,4 +1,4 @@
-#include "support/LightMap.h"
+#include "core/reference/LightMap.h"
 
 #include "core/math/Sampling.h"
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vantage::test
+namespace vantage
 {
 
 LightMap::LightMap(const ReferenceGeometry& geometry, int cells, int rays, std::uint64_t seed)
@@ -109,11 +109,12 @@ void LightMap::Expand(std::size_t first, std::size_t last)
   }
 }
 
-void LightMap::Solve()
+void LightMap::Solve(const std::function<void(double)>& progress)
 {
   constexpr std::size_t Batch = 1024;
   for (std::size_t first = 0; first < this->Points.size(); first = this->Direct.size())
   {
+    progress(static_cast<double>(first) / static_cast<double>(this->Points.size()));
     this->Expand(first, std::min(first + Batch, this->Points.size()));
   }
   // Iteration of Jacobi: each round adds one bounce.
@@ -146,4 +147,4 @@ void LightMap::Solve()
   }
 }
 
-} // namespace vantage::test
+} // namespace vantage

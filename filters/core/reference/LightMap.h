@@ -1,15 +1,16 @@
 #pragma once
 
-#include "support/ReferenceGeometry.h"
+#include "core/reference/ReferenceGeometry.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 /// \file LightMap.h
 /// Radiosity by collocation: slow, plain, and independent of transport/.
 
-namespace vantage::test
+namespace vantage
 {
 
 /// All sides are covered with square cells of one size. One of the first points that are visited in
@@ -31,8 +32,9 @@ public:
   /// is hit or the side reflects nothing. Not for many threads.
   std::uint32_t Visit(const std::optional<Hit>& hit);
 
-  /// Visits all that light on its way to the visited points can come from, and solves.
-  void Solve();
+  /// Visits all that light on its way to the visited points can come from, and solves. `progress`
+  /// is called with the part of the points known so far that are done.
+  void Solve(const std::function<void(double)>& progress);
 
   /// Radiance reflected at a point, direct light included. Solve() comes first.
   Color Reflected(std::uint32_t point) const { return this->Radiance[point]; }
@@ -62,4 +64,4 @@ private:
   std::vector<Color> Radiance;
 };
 
-} // namespace vantage::test
+} // namespace vantage
