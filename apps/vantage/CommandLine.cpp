@@ -56,6 +56,17 @@ void RequireSuffix(const std::string& path, const std::vector<std::string>& know
   }
 }
 
+void PrepareFolder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+  {
+    throw InputError(
+      folder + ": cannot be made a folder (" + error.message() + "); choose another one with -o");
+  }
+}
+
 std::string Join(const std::vector<std::string>& words)
 {
   std::string text;

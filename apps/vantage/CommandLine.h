@@ -25,6 +25,7 @@ void AddLabyrinthCommand(CLI::App& app, Command& chosen);
 void AddCompareCommand(CLI::App& app, Command& chosen);
 void AddFormFactorsCommand(CLI::App& app, Command& chosen);
 void AddPlatesCommand(CLI::App& app, Command& chosen);
+void AddReportCommand(CLI::App& app, Command& chosen);
 
 /// "vantage: what" on standard error, as one line whatever the text.
 void PrintError(const std::string& what);
@@ -36,6 +37,9 @@ std::string SuffixOf(const std::string& path);
 
 /// \throw InputError that lists the known suffixes, when that of `path` is not one of them.
 void RequireSuffix(const std::string& path, const std::vector<std::string>& known);
+
+/// Makes the folder and those above it, unless it is there. \throw InputError
+void PrepareFolder(const std::string& folder);
 
 /// "a, b, c".
 std::string Join(const std::vector<std::string>& words);

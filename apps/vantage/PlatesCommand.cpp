@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 #include "ProgressBar.h"
 #include "SceneFile.h"
+#include "TextTable.h"
 #include "VtkFile.h"
 #include "core/Error.h"
 #include "io/AtomicFile.h"
@@ -45,19 +46,6 @@ std::string TableFile(const std::string& folder)
   return (std::filesystem::path(folder) / "plates.csv").string();
 }
 
-/// Before the long work, not after it.
-void PrepareFolder(const std::string& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-  {
-    throw InputError(
-      folder + ": cannot be made a folder (" + error.message() + "); choose another one with -o");
-  }
-  CheckWritable(SheetFile(folder));
-}
-
 int MakeAndWritePlates(PlatesOptions options)
 {
   if (options.size)
@@ -74,7 +62,9 @@ int MakeAndWritePlates(PlatesOptions options)
     PrintWarnings(warnings);
   }
   OffscreenDisplay display;
+  // Before the long work, not after it.
   PrepareFolder(options.folder);
+  CheckWritable(SheetFile(options.folder));
 
   ProgressBar bar(!options.quiet);
   const PlateSeries series = MakePlates(display, options.scene, scene, options.settings,
@@ -88,7 +78,7 @@ int MakeAndWritePlates(PlatesOptions options)
   WritePng(series.sheet, SheetFile(options.folder));
   if (!options.quiet)
   {
-    std::cout << AlignTable(FormatPlateTable(series.rows));
+    std::cout << AlignTable(FormatPlateTable(series.rows), IsNumberColumn);
     for (const std::string& note : series.notes)
     {
       std::cout << note << '\n';

@@ -21,6 +21,7 @@ int Run(int argc, char** argv)
   vantage::AddCompareCommand(app, command);
   vantage::AddFormFactorsCommand(app, command);
   vantage::AddPlatesCommand(app, command);
+  vantage::AddReportCommand(app, command);
   try
   {
     app.parse(argc, argv);

@@ -64,7 +64,7 @@ struct OffscreenDisplay::Context
           eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)) &&
         !this->Open(eglGetDisplay(EGL_DEFAULT_DISPLAY)))
     {
-      throw Error("plates: EGL finds no OpenGL 3.2 to draw with; install libegl1 and "
+      throw Error("drawing: EGL finds no OpenGL 3.2 to draw with; install libegl1 and "
                   "libgl1-mesa-dri");
     }
   }

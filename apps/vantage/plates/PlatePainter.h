@@ -40,13 +40,15 @@ public:
   vtkSmartPointer<vtkImageData> DrawInteractionsFromAbove(
     vtkPolyData* interactions, const std::string& array, const std::string& title) const;
 
-  /// Side by side: those above and, hidden by what stands before them, from inside.
+  /// The same from inside, hidden by what stands before them, and without a legend.
+  vtkSmartPointer<vtkImageData> DrawInteractionsFrom(
+    const Camera& camera, vtkPolyData* interactions, const std::string& array) const;
+
+  /// Side by side, from above and from inside.
   vtkSmartPointer<vtkImageData> DrawInteractionsTwice(vtkPolyData* interactions,
     const Camera& camera, const std::string& array, const std::string& title) const;
 
 private:
-  vtkSmartPointer<vtkImageData> DrawInteractionsFrom(
-    const Camera& camera, vtkPolyData* interactions, const std::string& array) const;
   vtkSmartPointer<vtkImageData> Draw(const std::vector<vtkRenderer*>& renderers) const;
 
   OffscreenDisplay& Display;

@@ -1,7 +1,7 @@
 #include "plates/PlateTable.h"
 
-#include <algorithm>
-#include <iomanip>
+#include "TextTable.h"
+
 #include <sstream>
 
 namespace vantage
@@ -10,34 +10,9 @@ namespace vantage
 namespace
 {
 
-/// 1234567 as "1,234,567".
-std::string Grouped(std::uint64_t number)
-{
-  std::string digits = std::to_string(number);
-  for (int place = static_cast<int>(digits.size()) - 3; place > 0; place -= 3)
-  {
-    digits.insert(static_cast<std::size_t>(place), ",");
-  }
-  return digits;
-}
-
-std::string Fixed(double number, int decimals)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << number;
-  return text.str();
-}
-
 std::string Quoted(const std::string& text)
 {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-/// Characters, not bytes: of UTF-8 the bytes that begin one.
-std::size_t LengthOf(const std::string& text)
-{
-  return static_cast<std::size_t>(std::count_if(
-    text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
 }
 
 } // namespace
@@ -70,29 +45,6 @@ std::vector<std::vector<std::string>> FormatPlateTable(const std::vector<PlateRo
       row.paper });
   }
   return cells;
-}
-
-std::string AlignTable(const std::vector<std::vector<std::string>>& cells)
-{
-  std::ostringstream text;
-  for (const std::vector<std::string>& row : cells)
-  {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column)
-    {
-      std::size_t width = 0;
-      for (const std::vector<std::string>& other : cells)
-      {
-        width = std::max(width, LengthOf(other[column]));
-      }
-      const std::string padding(width - LengthOf(row[column]), ' ');
-      line += (column == 0 ? "" : "  ");
-      line += IsNumberColumn(column) ? padding + row[column] : row[column] + padding;
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text << line << '\n';
-  }
-  return text.str();
 }
 
 std::string DescribeRow(const PlateRow& row)

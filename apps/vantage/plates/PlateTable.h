@@ -32,9 +32,6 @@ std::string PrintPlateCsv(const std::vector<PlateRow>& rows);
 /// The same for people: a header and a row for each, every row with as many cells.
 std::vector<std::vector<std::string>> FormatPlateTable(const std::vector<PlateRow>& rows);
 
-/// Cells as lines of text: words to the left, numbers to the right.
-std::string AlignTable(const std::vector<std::vector<std::string>>& cells);
-
 /// "7,000 elements, 14,500 interactions, 120.00 s".
 std::string DescribeRow(const PlateRow& row);
 

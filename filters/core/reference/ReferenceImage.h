@@ -40,7 +40,8 @@ struct ReferenceHalves
   ReferenceImage Joined() const;
 };
 
-/// Called with the part done, 0 .. 1, from the calling thread. What it throws ends the work.
+/// Called from the calling thread with the part done, 0 .. 1; from 0 again where the noise asks for
+/// more rays. What it throws ends the work.
 using ReferenceProgress = std::function<void(double)>;
 
 /// Direct light exactly, past all occluders (ExactDirectLight.h); indirect light by a gather into a
