@@ -51,7 +51,7 @@ void ShootingEngine::SetOptics(std::vector<PatchOptics> optics)
 
 bool ShootingEngine::NeedsView() const
 {
-  return this->Settings.method == Method::ImportanceShooting && !this->State.HasView();
+  return UsesImportance(this->Settings.method) && !this->State.HasView();
 }
 
 void ShootingEngine::Prepare(const std::function<bool()>& mayGoOn)
@@ -72,7 +72,7 @@ double ShootingEngine::ErrorEstimate() const
 void ShootingEngine::CollectEmitters()
 {
   this->PendingEmitters.clear();
-  if (!this->Settings.initialPhase || this->Settings.method == Method::ImportanceShooting)
+  if (!this->Settings.initialPhase || UsesImportance(this->Settings.method))
   {
     return;
   }

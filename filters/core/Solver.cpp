@@ -80,9 +80,10 @@ void SolverSettings::Validate() const
   {
     throw InputError("solver: viewRays is 0; give at least 1");
   }
-  if (this->method == Method::GaussSeidel && this->granularity == Granularity::Interaction)
+  if (Gathers(this->method) && this->granularity == Granularity::Interaction)
   {
-    throw InputError("solver: gauss-seidel gathers at whole patches; choose the granularity patch");
+    throw InputError("solver: " + NameOf(this->method) +
+                     " gathers at whole patches; choose the granularity patch");
   }
 }
 

@@ -161,7 +161,8 @@ TEST(Render, EveryMethodShowsTheSameView)
   ASSERT_EQ(
     RunVantage(folder, fine + "-o a.exr --report a.json --method importance-shooting").exitCode, 0);
   const double flux = nlohmann::json::parse(test::ReadText(folder / "a.json"))["viewFlux"];
-  for (const std::string method : { "basic-shooting", "progressive-shooting", "gauss-seidel" })
+  for (const std::string method :
+    { "basic-shooting", "progressive-shooting", "gauss-seidel", "importance-gathering" })
   {
     ASSERT_EQ(RunVantage(folder, fine + "-o b.exr --method " + method).exitCode, 0) << method;
     // Refinement and stopping differ a little from method to method.
@@ -188,7 +189,8 @@ TEST(Render, WithoutAnEmitterIsBlackWithAWarning)
 {
   const TemporaryFolder folder;
   test::WriteBox(folder, "0 0 0");
-  for (const std::string method : { "goal-oriented", "importance-shooting", "path-tracing" })
+  for (const std::string method :
+    { "goal-oriented", "importance-shooting", "importance-gathering", "path-tracing" })
   {
     const RunResult run = Render(folder, "-o a.exr a.png --method " + method);
     EXPECT_EQ(run.exitCode, 0) << method;

@@ -41,8 +41,8 @@ TEST(Agreement, AllMethodsConvergeToTheSameSolution)
     {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", oracle " + NameOf(oracle));
       const auto expected = Converged(scene, Method::GaussSeidel, oracle);
-      for (const Method method :
-        { Method::BasicShooting, Method::ProgressiveShooting, Method::ImportanceShooting })
+      for (const Method method : { Method::BasicShooting, Method::ProgressiveShooting,
+             Method::ImportanceShooting, Method::ImportanceGathering })
       {
         // Each stops when 1e-13 of the power or of the view flux is left.
         ASSERT_LT(LargestDifference(Converged(scene, method, oracle), expected), 1e-8)

@@ -43,7 +43,7 @@ const std::vector<std::string>& GranularityNames()
 const std::vector<std::string>& MethodNames()
 {
   static const std::vector<std::string> names{ "basic-shooting", "progressive-shooting",
-    "importance-shooting", "goal-oriented", "gauss-seidel" };
+    "importance-shooting", "goal-oriented", "gauss-seidel", "importance-gathering" };
   return names;
 }
 
@@ -57,6 +57,16 @@ std::vector<std::string> FixedGraphMethodNames()
 std::string NameOf(Method method)
 {
   return MethodNames()[static_cast<std::size_t>(method)];
+}
+
+bool UsesImportance(Method method)
+{
+  return method == Method::ImportanceShooting || method == Method::ImportanceGathering;
+}
+
+bool Gathers(Method method)
+{
+  return method == Method::GaussSeidel || method == Method::ImportanceGathering;
 }
 
 Method MethodFromName(const std::string& name)

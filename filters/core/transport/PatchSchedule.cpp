@@ -1,32 +1,9 @@
 #include "core/transport/PatchSchedule.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace vantage
 {
-
-namespace
-{
-
-/// Area of a patch; 0 for one that takes no part.
-double PatchArea(const Transport& transport, PatchId patch)
-{
-  const Patch& p = transport.Tree().Patches()[patch];
-  return p.IsActive() ? transport.Tree()[p.node].area : 0.0;
-}
-
-PatchId PatchCount(const Transport& transport)
-{
-  return static_cast<PatchId>(transport.Tree().Patches().size());
-}
-
-double Power(double area, const Color& radiance)
-{
-  return Pi * area * Mean(radiance);
-}
-
-} // namespace
 
 PatchSchedule::PatchSchedule(Method method, const Transport& transport)
   : TheMethod(method)
@@ -47,17 +24,17 @@ std::optional<Step> PatchSchedule::Next(Transport& transport, std::uint32_t)
     if (this->TheMethod == Method::ImportanceShooting && this->LastShot == Quantity::Radiance)
     {
       step.quantity = Quantity::Importance;
-      step.patch = this->HighestRanked(transport, Quantity::Importance);
+      step.patch = this->HighestImportance(transport);
     }
     if (step.patch == None)
     {
       step.quantity = Quantity::Radiance;
-      step.patch = this->HighestRanked(transport, Quantity::Radiance);
+      step.patch = this->HighestRadiance(transport);
     }
     if (step.patch == None && this->TheMethod == Method::ImportanceShooting)
     {
       step.quantity = Quantity::Importance;
-      step.patch = this->HighestRanked(transport, Quantity::Importance);
+      step.patch = this->HighestImportance(transport);
     }
   }
   return step.patch == None ? std::nullopt : std::optional<Step>(step);
@@ -85,10 +62,9 @@ Residual PatchSchedule::Rest(const Transport& transport) const
   const bool usesImportance = this->TheMethod == Method::ImportanceShooting;
   for (PatchId p = 0; p < PatchCount(transport); ++p)
   {
-    const double area = PatchArea(transport, p);
-    if (area > 0.0)
+    if (PatchArea(transport, p) > 0.0)
     {
-      rest.unshotPower += Power(area, this->UnshotRadiance(transport, p));
+      rest.unshotPower += PatchPower(transport, p, this->UnshotRadiance(transport, p));
       if (usesImportance)
       {
         rest.knownUnshot += this->RadianceRank(transport, p);
@@ -132,19 +108,18 @@ Color PatchSchedule::UnshotImportance(const Transport& transport, PatchId patch)
 
 double PatchSchedule::RadianceRank(const Transport& transport, PatchId patch) const
 {
-  const double area = PatchArea(transport, patch);
   const Color unshot = this->UnshotRadiance(transport, patch);
   if (this->TheMethod != Method::ImportanceShooting)
   {
-    return Power(area, unshot);
+    return PatchPower(transport, patch, unshot);
   }
   const NodeId node = transport.Tree().Patches()[patch].node;
-  return area * Mean(unshot * transport.ReceivedImportance(node));
+  return PatchArea(transport, patch) * Mean(unshot * transport.ReceivedImportance(node));
 }
 
 double PatchSchedule::ImportanceRank(const Transport& transport, PatchId patch) const
 {
-  return Power(PatchArea(transport, patch), this->UnshotImportance(transport, patch));
+  return PatchPower(transport, patch, this->UnshotImportance(transport, patch));
 }
 
 PatchId PatchSchedule::NextInTurn(const Transport& transport)
@@ -162,24 +137,16 @@ PatchId PatchSchedule::NextInTurn(const Transport& transport)
   return None;
 }
 
-PatchId PatchSchedule::HighestRanked(const Transport& transport, Quantity quantity) const
+PatchId PatchSchedule::HighestRadiance(const Transport& transport) const
 {
-  PatchId best = None;
-  double bestRank = 0.0;
-  for (PatchId p = 0; p < PatchCount(transport); ++p)
-  {
-    if (PatchArea(transport, p) > 0.0)
-    {
-      const double rank = quantity == Quantity::Radiance ? this->RadianceRank(transport, p)
-                                                         : this->ImportanceRank(transport, p);
-      if (rank > bestRank)
-      {
-        bestRank = rank;
-        best = p;
-      }
-    }
-  }
-  return best;
+  return HighestRanked(
+    transport, [&](PatchId patch) { return this->RadianceRank(transport, patch); });
+}
+
+PatchId PatchSchedule::HighestImportance(const Transport& transport) const
+{
+  return HighestRanked(
+    transport, [&](PatchId patch) { return this->ImportanceRank(transport, patch); });
 }
 
 GatheringSchedule::GatheringSchedule(const Transport& transport)
@@ -224,7 +191,7 @@ void GatheringSchedule::Perform(Transport& transport, const Step& step, std::uin
     transport.ShootRadiance(id, Other(EndOn(transport.Tree(), transport.Graph()[id], step.patch)));
   }
   this->LastChange[step.patch] =
-    Power(PatchArea(transport, step.patch), UnshotPart(transport.Radiance(node), before));
+    PatchPower(transport, step.patch, UnshotPart(transport.Radiance(node), before));
   this->Cursor = (step.patch + 1) % PatchCount(transport);
 }
 

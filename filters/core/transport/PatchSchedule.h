@@ -39,7 +39,8 @@ private:
   double RadianceRank(const Transport& transport, PatchId patch) const;
   double ImportanceRank(const Transport& transport, PatchId patch) const;
   PatchId NextInTurn(const Transport& transport);
-  PatchId HighestRanked(const Transport& transport, Quantity quantity) const;
+  PatchId HighestRadiance(const Transport& transport) const;
+  PatchId HighestImportance(const Transport& transport) const;
 
   Method TheMethod;
   std::vector<Shot> Shots;

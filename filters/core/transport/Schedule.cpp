@@ -1,5 +1,6 @@
 #include "core/transport/Schedule.h"
 
+#include "core/transport/ImportanceGathering.h"
 #include "core/transport/InteractionSchedule.h"
 #include "core/transport/PatchSchedule.h"
 
@@ -19,7 +20,27 @@ std::unique_ptr<Schedule> MakeSchedule(
   {
     return std::make_unique<GatheringSchedule>(transport);
   }
+  if (method == Method::ImportanceGathering)
+  {
+    return std::make_unique<ImportanceGathering>(transport);
+  }
   return std::make_unique<PatchSchedule>(method, transport);
+}
+
+PatchId PatchCount(const Transport& transport)
+{
+  return static_cast<PatchId>(transport.Tree().Patches().size());
+}
+
+double PatchArea(const Transport& transport, PatchId patch)
+{
+  const Patch& p = transport.Tree().Patches()[patch];
+  return p.IsActive() ? transport.Tree()[p.node].area : 0.0;
+}
+
+double PatchPower(const Transport& transport, PatchId patch, const Color& radiance)
+{
+  return Pi * PatchArea(transport, patch) * Mean(radiance);
 }
 
 void ShootPatch(Transport& transport, PatchId patch, Quantity quantity)

@@ -49,7 +49,8 @@ public:
   /// choose among them; `stepNumber` is noted in these.
   virtual std::optional<Step> Next(Transport& transport, std::uint32_t stepNumber) = 0;
 
-  /// Performs a step, one that Next() has returned or any other shot of a whole patch.
+  /// Performs a step, one that Next() has returned or, of methods without importance, a shot of
+  /// radiance from any whole patch.
   virtual void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) = 0;
 
   /// As of the last call of Next() and Perform().
@@ -64,6 +65,33 @@ public:
 
 std::unique_ptr<Schedule> MakeSchedule(
   Method method, Granularity granularity, const Transport& transport);
+
+/// \name Of patches
+///@{
+PatchId PatchCount(const Transport& transport);
+/// 0 for one that takes no part.
+double PatchArea(const Transport& transport, PatchId patch);
+/// W, mean of channels, of a mean radiance (sr of a reflected importance).
+double PatchPower(const Transport& transport, PatchId patch, const Color& radiance);
+
+/// The patch with the largest rank(patch) above zero, the first of equals; None without one.
+template <typename Rank>
+PatchId HighestRanked(const Transport& transport, const Rank& rank)
+{
+  PatchId best = None;
+  double bestRank = 0.0;
+  for (PatchId p = 0; p < PatchCount(transport); ++p)
+  {
+    const double found = PatchArea(transport, p) > 0.0 ? rank(p) : 0.0;
+    if (found > bestRank)
+    {
+      bestRank = found;
+      best = p;
+    }
+  }
+  return best;
+}
+///@}
 
 /// Shoots a quantity over all interactions of a patch. They must be there and fine enough.
 void ShootPatch(Transport& transport, PatchId patch, Quantity quantity);

@@ -21,8 +21,9 @@ struct ElementSolution;
 /// and refines, in each step, those with the largest part in the error of the view. The methods of
 /// the paper shoot on a fixed graph: importance-shooting propagates in every step what is largest
 /// of (unshot radiance) x (throughput) x (importance of the receiver). Light that the view does not
-/// need is left for later, or for good. The solution continues where the last execution stopped,
-/// and an interaction, once computed, is kept when the camera moves or the lights change.
+/// need is left for later, or for good. On the same graph importance-gathering gathers it where it
+/// changes the view most (Smits et al. 1992). The solution continues where the last execution
+/// stopped, and an interaction, once computed, is kept when the camera moves or the lights change.
 ///
 /// Input: vtkPolyData with polygons (others are ignored; triangle strips are an error). Two cell
 /// arrays are chosen with SetInputArrayToProcess: 0 is the albedo ("Albedo" unless chosen; 3
@@ -143,8 +144,8 @@ public:
   ///@}
 
   ///@{
-  /// "goal-oriented", "importance-shooting", "progressive-shooting", "basic-shooting" or
-  /// "gauss-seidel". Default: "goal-oriented".
+  /// "goal-oriented", "importance-shooting", "progressive-shooting", "basic-shooting",
+  /// "gauss-seidel" or "importance-gathering". Default: "goal-oriented".
   vtkSetStdStringFromCharMacro(Method);
   vtkGetCharFromStdStringMacro(Method);
   ///@}

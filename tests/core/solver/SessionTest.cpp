@@ -59,15 +59,15 @@ TEST(Session, TwoRunsContinueAsOneWouldHaveGone)
   }
 }
 
-TEST(Session, CancellingKeepsWhatIsDone)
+/// Stops a run of 20 steps after each of its moves, and goes on.
+void ExpectSameAfterCancelling(const Scene& scene, Method method)
 {
-  const Scene scene = test::MakeLitBox();
-  Solver whole = MakeSolver(scene, Method::ProgressiveShooting);
+  Solver whole = MakeSolver(scene, method);
   whole.Run(Steps(20));
   const std::size_t length = whole.History().size();
   for (std::size_t stopAt = 1; stopAt < length; ++stopAt)
   {
-    Solver stopped = MakeSolver(scene, Method::ProgressiveShooting);
+    Solver stopped = MakeSolver(scene, method);
     std::size_t seen = 0;
     EXPECT_EQ(stopped.Run(Steps(20), [&](const StepReport&) { return ++seen < stopAt; }),
       RunEnd::Cancelled);
@@ -77,10 +77,32 @@ TEST(Session, CancellingKeepsWhatIsDone)
   }
 }
 
-TEST(Session, ACameraMoveKeepsRadianceAndInteractions)
+TEST(Session, CancellingKeepsWhatIsDone)
 {
   const Scene scene = test::MakeLitBox();
-  Solver solver = MakeSolver(scene, Method::ImportanceShooting);
+  for (const Method method : { Method::ProgressiveShooting, Method::ImportanceGathering })
+  {
+    SCOPED_TRACE(NameOf(method));
+    ExpectSameAfterCancelling(scene, method);
+  }
+}
+
+class ViewSession : public testing::TestWithParam<Method>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Methods, ViewSession,
+  testing::Values(Method::ImportanceShooting, Method::ImportanceGathering),
+  [](const auto& method)
+  {
+    return method.param == Method::ImportanceShooting ? "ImportanceShooting"
+                                                      : "ImportanceGathering";
+  });
+
+TEST_P(ViewSession, ACameraMoveKeepsRadianceAndInteractions)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver solver = MakeSolver(scene, GetParam());
   solver.Run(Error(1e-3));
   const auto radiance = solver.Elements().radiance;
   const auto before = solver.History().back();
@@ -95,18 +117,31 @@ TEST(Session, ACameraMoveKeepsRadianceAndInteractions)
   // What it converges to is what a fresh solver finds on interactions of its own, up to the
   // tolerances of refinement.
   solver.Run(Error(1e-6));
-  Solver fresh(scene, CoarseSettings(Method::ImportanceShooting));
+  Solver fresh(scene, CoarseSettings(GetParam()));
   fresh.SetCamera(other);
   fresh.Run(Error(1e-6));
   EXPECT_NEAR(Mean(solver.ViewFluxOfRadiance()) / Mean(fresh.ViewFluxOfRadiance()), 1.0, 0.01);
 }
 
-TEST(Session, NewMaterialsKeepInteractions)
+class MaterialSession : public testing::TestWithParam<Method>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Methods, MaterialSession,
+  testing::Values(Method::ProgressiveShooting, Method::ImportanceGathering),
+  [](const auto& method)
+  {
+    return method.param == Method::ProgressiveShooting ? "ProgressiveShooting"
+                                                       : "ImportanceGathering";
+  });
+
+TEST_P(MaterialSession, NewMaterialsKeepInteractions)
 {
   const Scene scene = test::MakeLitBox();
-  SolverSettings settings = CoarseSettings(Method::ProgressiveShooting);
+  SolverSettings settings = CoarseSettings(GetParam());
   settings.refinement.oracle = RefinementOracle::F;
   Solver solver(scene, settings);
+  solver.SetCamera(scene.cameras[0]);
   solver.Run(Error(1e-10));
   const StepReport before = solver.History().back();
 
@@ -122,6 +157,7 @@ TEST(Session, NewMaterialsKeepInteractions)
   EXPECT_EQ(solver.History().back().work.Evaluations(), before.work.Evaluations());
 
   Solver fresh(changed, settings);
+  fresh.SetCamera(changed.cameras[0]);
   fresh.Run(Error(1e-10));
   const auto expected = fresh.Elements().radiance;
   const auto found = solver.Elements().radiance;
@@ -136,8 +172,11 @@ TEST(Session, NewMaterialsKeepInteractions)
 TEST(Session, ShootingNeedsACameraOnlyForImportance)
 {
   const Scene scene = test::MakeLitBox();
-  Solver importance(scene, CoarseSettings(Method::ImportanceShooting));
-  EXPECT_THROW(importance.Run(Steps(1)), InputError);
+  for (const Method method : { Method::ImportanceShooting, Method::ImportanceGathering })
+  {
+    Solver importance(scene, CoarseSettings(method));
+    EXPECT_THROW(importance.Run(Steps(1)), InputError);
+  }
   Solver progressive(scene, CoarseSettings(Method::ProgressiveShooting));
   EXPECT_EQ(progressive.Run(Steps(1)), RunEnd::Budget);
 }
@@ -152,9 +191,12 @@ TEST(Session, BadValuesAreRefused)
   settings.viewRays = 0;
   EXPECT_THROW(Solver(scene, settings), InputError);
   settings = SolverSettings();
-  settings.method = Method::GaussSeidel;
   settings.granularity = Granularity::Interaction;
-  EXPECT_THROW(Solver(scene, settings), InputError);
+  for (const Method gathering : { Method::GaussSeidel, Method::ImportanceGathering })
+  {
+    settings.method = gathering;
+    EXPECT_THROW(Solver(scene, settings), InputError);
+  }
   settings = SolverSettings();
   settings.refinement.formFactorTolerance = 0.0;
   EXPECT_THROW(Solver(scene, settings), InputError);
