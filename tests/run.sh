@@ -38,6 +38,8 @@ if [[ $settings != release ]]; then
   build=out/build-$settings
   selection=(--label-regex '^(unit|property)$')
   shift
+  # Sanitized code is slow; see tests/properties/IdentitiesTest.cpp.
+  export VANTAGE_SCENES=${VANTAGE_SCENES:-50}
 fi
 export ASAN_OPTIONS=detect_stack_use_after_return=1
 export UBSAN_OPTIONS=print_stacktrace=1

@@ -11,7 +11,7 @@ namespace vantage
 namespace
 {
 
-constexpr std::uint64_t Scenes = 25;
+constexpr std::uint64_t Scenes = 25; ///< solved to round-off; IdentitiesTest has more
 
 double LargestDifference(const std::vector<Color>& a, const std::vector<Color>& b)
 {
@@ -30,26 +30,6 @@ std::vector<Color> Converged(const Scene& scene, Method method, RefinementOracle
   Solver solver = test::MakeSolver(scene, test::CoarseSettings(method, oracle));
   test::Solve(solver, 0.0);
   return test::RadianceOfPolygonSides(solver);
-}
-
-TEST(Agreement, AllMethodsConvergeToTheSameSolution)
-{
-  for (std::uint64_t seed = 1; seed <= Scenes; ++seed)
-  {
-    const Scene scene = test::MakeRandomScene(seed);
-    for (const RefinementOracle oracle : { RefinementOracle::F, RefinementOracle::BF })
-    {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", oracle " + NameOf(oracle));
-      const auto expected = Converged(scene, Method::GaussSeidel, oracle);
-      for (const Method method : { Method::BasicShooting, Method::ProgressiveShooting,
-             Method::ImportanceShooting, Method::ImportanceGathering })
-      {
-        // Each stops when 1e-13 of the power or of the view flux is left.
-        ASSERT_LT(LargestDifference(Converged(scene, method, oracle), expected), 1e-8)
-          << NameOf(method);
-      }
-    }
-  }
 }
 
 TEST(Agreement, InteractionStepsConvergeToTheSameSolution)
@@ -77,10 +57,11 @@ TEST(Agreement, RadianceAndImportanceGiveTheSameFlux)
   for (std::uint64_t seed = 1; seed <= Scenes; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    for (const RefinementOracle oracle : { RefinementOracle::F, RefinementOracle::BF })
+    for (const Method method : { Method::ImportanceShooting, Method::ImportanceGathering })
     {
-      Solver solver = test::MakeSolver(
-        test::MakeRandomScene(seed), test::CoarseSettings(Method::ImportanceShooting, oracle));
+      const RefinementOracle oracle = seed % 2 == 0 ? RefinementOracle::F : RefinementOracle::BF;
+      Solver solver =
+        test::MakeSolver(test::MakeRandomScene(seed), test::CoarseSettings(method, oracle));
       test::Solve(solver, 0.0);
       const Color radiance = solver.ViewFluxOfRadiance();
       const Color importance = solver.ViewFluxOfImportance();

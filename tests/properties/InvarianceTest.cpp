@@ -6,7 +6,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vantage
 {
@@ -73,44 +72,6 @@ TEST(Invariance, DoublingTheEmissionDoublesEverythingExactly)
   }
 }
 
-TEST(Invariance, TheOrderOfFacesChangesNothing)
-{
-  for (std::uint64_t seed = 1; seed <= 5; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scene scene = test::MakeRandomScene(seed);
-    std::vector<std::size_t> order(scene.PolygonCount());
-    std::iota(order.begin(), order.end(), 0u);
-    RandomStream random(seed, 99u);
-    for (std::size_t i = order.size(); i > 1; --i)
-    {
-      std::swap(order[i - 1], order[static_cast<std::size_t>(random.Next() * i)]);
-    }
-    Scene shuffled;
-    shuffled.materials = scene.materials;
-    shuffled.cameras = scene.cameras;
-    for (const std::size_t p : order)
-    {
-      std::vector<Vec3> points;
-      for (std::uint32_t i = scene.offsets[p]; i < scene.offsets[p + 1]; ++i)
-      {
-        points.push_back(scene.vertices[scene.indices[i]]);
-      }
-      shuffled.AddPolygon(points, scene.materialOfPolygon[p]);
-    }
-    for (const std::string& name : FixedGraphMethodNames())
-    {
-      const auto expected = Solved(scene, MethodFromName(name));
-      const auto found = Solved(shuffled, MethodFromName(name));
-      for (std::size_t i = 0; i < order.size(); ++i)
-      {
-        ASSERT_EQ(found[2 * i], expected[2 * order[i]]) << name;
-        ASSERT_EQ(found[2 * i + 1], expected[2 * order[i] + 1]) << name;
-      }
-    }
-  }
-}
-
 TEST(Invariance, TheNumberOfThreadsChangesNothing)
 {
   LabyrinthSettings size;
@@ -127,7 +88,8 @@ TEST(Invariance, TheNumberOfThreadsChangesNothing)
     test::Solve(solver, method == Method::GoalOriented ? 0.05 : 1e-3);
     return solver.Elements().radiance;
   };
-  for (const Method method : { Method::ImportanceShooting, Method::GoalOriented })
+  for (const Method method :
+    { Method::ImportanceShooting, Method::ImportanceGathering, Method::GoalOriented })
   {
     const auto expected = solve(1, method);
     EXPECT_EQ(solve(2, method), expected) << NameOf(method);

@@ -4,6 +4,8 @@
 #include "core/math/Sampling.h"
 #include "support/TestScenes.h"
 
+#include <numeric>
+
 namespace vantage::test
 {
 
@@ -65,6 +67,40 @@ Scene MakeRandomScene(std::uint64_t seed)
   }
   scene.cameras.push_back(InsideCamera());
   return scene;
+}
+
+Scene MakeOpenRandomScene(std::uint64_t seed)
+{
+  constexpr std::size_t Ceiling = 1;
+  const Scene closed = MakeRandomScene(seed);
+  std::vector<std::size_t> kept(closed.PolygonCount());
+  std::iota(kept.begin(), kept.end(), 0u);
+  kept.erase(kept.begin() + Ceiling);
+  return Reordered(closed, kept);
+}
+
+std::vector<std::size_t> RandomOrder(std::uint64_t seed, std::size_t count)
+{
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  RandomStream random(seed, 99u);
+  for (std::size_t i = count; i > 1; --i)
+  {
+    std::swap(order[i - 1], order[static_cast<std::size_t>(random.Next() * i)]);
+  }
+  return order;
+}
+
+Scene Reordered(const Scene& scene, const std::vector<std::size_t>& order)
+{
+  Scene reordered;
+  reordered.materials = scene.materials;
+  reordered.cameras = scene.cameras;
+  for (const std::size_t p : order)
+  {
+    reordered.AddPolygon(CornersOf(scene, p), scene.materialOfPolygon[p]);
+  }
+  return reordered;
 }
 
 SolverSettings CoarseSettings(Method method, RefinementOracle oracle)

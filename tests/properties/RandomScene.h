@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// \file RandomScene.h
-/// Small closed scenes made from a seed, and what the property tests do with them.
+/// Small scenes made from a seed, and what the property tests do with them.
 
 namespace vantage::test
 {
@@ -13,6 +13,15 @@ namespace vantage::test
 /// A closed box of random size and colours with one to four triangles and quadrilaterals hanging in
 /// it, some of which emit; one camera inside.
 Scene MakeRandomScene(std::uint64_t seed);
+
+/// The same without its ceiling: light gets out.
+Scene MakeOpenRandomScene(std::uint64_t seed);
+
+/// The numbers below `count` in a random order.
+std::vector<std::size_t> RandomOrder(std::uint64_t seed, std::size_t count);
+
+/// A scene whose polygon i is polygon order[i] of another one; those not named are left out.
+Scene Reordered(const Scene& scene, const std::vector<std::size_t>& order);
 
 /// Settings that keep these scenes to some hundred elements.
 SolverSettings CoarseSettings(Method method, RefinementOracle oracle = RefinementOracle::F);
