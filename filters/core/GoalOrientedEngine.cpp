@@ -13,7 +13,10 @@ namespace
 
 /// A round refines the worst links that together have this part of all errors. More makes fewer
 /// rounds, and refines more links that need it less.
-constexpr double RefinedShare = 0.3;
+constexpr double RefinedShare = 0.45;
+/// One estimate may be low by chance, as long as clusters are sampled by a few rays: the error is
+/// the largest of so many in turn.
+constexpr std::size_t EstimatesToTrust = 3;
 /// An error that is estimated from fewer links is no estimate.
 constexpr std::size_t LeastLinks = 256;
 
@@ -41,21 +44,32 @@ void GoalOrientedEngine::SetOptics(std::vector<PatchOptics> optics)
 
 double GoalOrientedEngine::ErrorEstimate() const
 {
-  // One estimate may be low by chance, as long as the clusters are sampled by a few rays.
-  return this->IsSolved ? std::max(this->State.ErrorEstimate(), this->LastEstimate)
-                        : std::numeric_limits<double>::infinity();
+  if (!this->IsSolved)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  double largest = this->State.ErrorEstimate();
+  for (const double estimate : this->LastEstimates)
+  {
+    largest = std::max(largest, estimate);
+  }
+  return largest;
 }
 
 std::optional<StepReport> GoalOrientedEngine::Advance()
 {
-  this->LastEstimate = 0.0;
   if (this->IsSolved)
   {
-    this->LastEstimate = this->State.ErrorEstimate();
+    this->LastEstimates.insert(this->LastEstimates.begin(), this->State.ErrorEstimate());
+    this->LastEstimates.resize(std::min(this->LastEstimates.size(), EstimatesToTrust - 1));
     if (this->State.Refine(RefinedShare) == 0)
     {
       return {};
     }
+  }
+  else
+  {
+    this->LastEstimates.clear();
   }
   this->State.Solve();
   while (this->State.Links().size() < LeastLinks && this->State.Refine(RefinedShare) > 0)

@@ -42,7 +42,7 @@ private:
   GoalOrientedTransport State;
   bool HasView = false;
   bool IsSolved = false;
-  double LastEstimate = 0.0; ///< of the round before
+  std::vector<double> LastEstimates; ///< of the rounds before, the latest first
   std::uint64_t StepCount = 0;
 };
 

@@ -123,8 +123,8 @@ TEST(HardCase, AClosedDoor)
   solver.SetCamera(scene.cameras[0]);
   Budget budget;
   budget.error = 0.01;
-  const RunEnd end = solver.Run(
-    budget, [](const StepReport& report) { return report.work.Evaluations() < 100000; });
+  const RunEnd end =
+    solver.Run(budget, [](const StepReport& report) { return report.work.Evaluations() < 100000; });
   EXPECT_EQ(end, RunEnd::Converged);
   const double lit = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(0.1), 0.05));
   EXPECT_LT(Mean(solver.ViewFluxOfRadiance()), 1e-6 * lit);

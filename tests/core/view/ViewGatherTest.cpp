@@ -143,6 +143,18 @@ TEST(ViewGather, AFurnaceGlowsEvenly)
   }
 }
 
+/// The mean over four seeds: what is left of one picture's mean error is noise.
+double BiasOf(const GatherStage& stage, GatherSettings settings, const Image& exact)
+{
+  constexpr int Seeds = 4;
+  double sum = 0.0;
+  for (settings.seed = 1; settings.seed <= Seeds; ++settings.seed)
+  {
+    sum += Compare(stage.Gather(RoomCamera(), settings).radiance, exact).relativeBias;
+  }
+  return sum / Seeds;
+}
+
 TEST(ViewGather, IndirectLightIsWithinThePromisedError)
 {
   constexpr int Size = 64;
@@ -151,13 +163,14 @@ TEST(ViewGather, IndirectLightIsWithinThePromisedError)
   std::uint64_t rays = 0;
   for (const double error : { 0.03, 0.01, 0.004 })
   {
-    const GatheredView view = stage.Gather(RoomCamera(), Pixels(Size, Size, true, error));
+    const GatherSettings settings = Pixels(Size, Size, true, error);
+    const GatheredView view = stage.Gather(RoomCamera(), settings);
     const double truth = Compare(view.radiance, exact).relativeL1;
     EXPECT_LT(truth, error);
     EXPECT_GT(truth, 0.1 * error);
     EXPECT_GT(view.report.errorEstimate, 0.7 * truth) << error;
     EXPECT_LT(view.report.errorEstimate, 3.0 * truth) << error;
-    EXPECT_LT(std::abs(Compare(view.radiance, exact).relativeBias), 0.3 * error);
+    EXPECT_LT(std::abs(BiasOf(stage, settings, exact)), 0.3 * error);
     EXPECT_GT(view.report.gatherRays, rays);
     EXPECT_LT(view.report.gatherPoints, static_cast<std::uint64_t>(Size * Size / 2));
     rays = view.report.gatherRays;
