@@ -1,5 +1,6 @@
 #include "accuracy/References.h"
 #include "core/formfactor/FormFactor.h"
+#include "hardcases/HardCase.h"
 #include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -97,21 +98,6 @@ TEST(AnalyticLight, FactorsBetweenRectangles)
 
 constexpr int Pixels = 48;
 
-/// The picture of a default run.
-Image PictureOf(const Scene& scene, double error)
-{
-  Solver solver(scene);
-  solver.SetCamera(scene.cameras[0]);
-  Budget budget;
-  budget.error = error;
-  solver.Run(budget);
-  GatherSettings settings;
-  settings.width = settings.height = Pixels;
-  settings.pixelCentres = true;
-  settings.error = GatherShare * error;
-  return solver.Gather(scene.cameras[0], settings).radiance;
-}
-
 /// What the solver makes of a black lamp and one patch that it lights, against closed forms at the
 /// pixels: the rectangle is cut in four at the foot of the perpendicular.
 TEST(AnalyticLight, DirectLightOfARectangleAtThePixels)
@@ -147,7 +133,7 @@ TEST(AnalyticLight, DirectLightOfARectangleAtThePixels)
       expected.At(x, y) = Color(Albedo * Emission * factor);
     }
   }
-  const double error = Compare(PictureOf(scene, 0.02), expected).relativeL1;
+  const double error = Compare(test::CasePicture(scene, 0.02, Pixels), expected).relativeL1;
   test::Record("direct light of a rectangle, relative L1 at the pixels", error);
   EXPECT_LT(error, 1e-12); // closed forms both: round-off
 }
@@ -222,7 +208,8 @@ TEST(AnalyticLight, TheInterreflectionOfACubeThatGlows)
   for (const double albedo : { 0.05, 0.35, 0.65 })
   {
     const double direct = 1.0; // Phi / S = pi times this
-    const Image picture = PictureOf(test::MakeFurnace(Color(albedo), Color(direct)), 0.02);
+    const Image picture =
+      test::CasePicture(test::MakeFurnace(Color(albedo), Color(direct)), 0.02, Pixels);
     for (const Color& pixel : picture.pixels)
     {
       const double reflected = Mean(pixel) - direct;

@@ -12,6 +12,7 @@ namespace vantage
 namespace
 {
 
+using test::BadCall;
 using test::ReadText;
 using test::RunResult;
 using test::RunVantage;
@@ -162,14 +163,6 @@ TEST(Plates, TableTellsWhatImportanceIsGoodFor)
   }
 }
 
-/// Arguments that are wrong in one way; each is refused with one line that says so.
-struct BadCall
-{
-  const char* name;
-  const char* arguments;
-  const char* what;
-};
-
 const BadCall BadCalls[] = {
   { "NoOutput", "plates two.vtp", "--output" },
   { "NoSuchScene", "plates none.vtp -o out", "none.vtp: there is no such file" },
@@ -211,10 +204,7 @@ TEST_P(PlatesBadCall, IsOneLineAndExitCode2)
   MakeLabyrinth(folder);
   WriteBadScenes(folder);
   const RunResult result = RunVantage(folder, GetParam().arguments);
-  EXPECT_EQ(result.exitCode, 2);
-  EXPECT_EQ(result.output, "");
-  EXPECT_EQ(result.ErrorLines(), 1) << result.errors;
-  EXPECT_NE(result.errors.find(GetParam().what), std::string::npos) << result.errors;
+  test::ExpectRefusal(result, GetParam().what);
   EXPECT_TRUE(!std::filesystem::exists(folder / "out") || CountFiles(folder / "out") == 0);
 }
 

@@ -13,6 +13,7 @@ namespace vantage
 namespace
 {
 
+using test::BadCall;
 using test::ReadText;
 using test::RunResult;
 using test::RunVantage;
@@ -288,14 +289,6 @@ TEST(Report, StopsWhileItMakesTheReference)
   EXPECT_FALSE(fs::exists(folder / "out/speed-vs-error.csv"));
 }
 
-/// Arguments that are wrong in one way; each is refused with one line that says so.
-struct BadCall
-{
-  const char* name;
-  const char* arguments;
-  const char* what;
-};
-
 const BadCall BadCalls[] = {
   { "NoOutput", "s.obj", "--output" },
   { "NoSuchScene", "none.vtp -o out", "none.vtp: there is no such file" },
@@ -341,10 +334,7 @@ TEST_P(ReportBadCall, IsOneLineAndExitCode2)
   WriteBadScenes(folder);
   const RunResult result =
     RunVantage(folder, std::string("report --quiet ") + GetParam().arguments);
-  EXPECT_EQ(result.exitCode, 2);
-  EXPECT_EQ(result.output, "");
-  EXPECT_EQ(result.ErrorLines(), 1) << result.errors;
-  EXPECT_NE(result.errors.find(GetParam().what), std::string::npos) << result.errors;
+  test::ExpectRefusal(result, GetParam().what);
   EXPECT_FALSE(fs::exists(folder / "out/index.html"));
 }
 

@@ -2,6 +2,8 @@
 
 #include "io/Files.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -35,6 +37,27 @@ inline RunResult RunVantage(const TemporaryFolder& folder, const std::string& ar
   result.output = ReadText(logs / "out");
   result.errors = ReadText(logs / "err");
   return result;
+}
+
+/// Arguments that are wrong in one way; each is refused with one line that says so.
+struct BadCall
+{
+  const char* name;
+  const char* arguments;
+  const char* what;
+};
+
+inline void PrintTo(const BadCall& call, std::ostream* stream)
+{
+  *stream << call.arguments;
+}
+
+inline void ExpectRefusal(const RunResult& result, const std::string& what)
+{
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.ErrorLines(), 1) << result.errors;
+  EXPECT_NE(result.errors.find(what), std::string::npos) << result.errors;
 }
 
 /// A closed box of 2 x 2 x 2 with a lamp below its ceiling and a camera, as s.obj and s.mtl.

@@ -28,10 +28,10 @@ inline Solver SolvedCase(const Scene& scene, double error)
   return solver;
 }
 
-inline Image CasePicture(const Scene& scene, double error)
+inline Image CasePicture(const Scene& scene, double error, int pixels = CasePixels)
 {
   GatherSettings settings;
-  settings.width = settings.height = CasePixels;
+  settings.width = settings.height = pixels;
   settings.pixelCentres = true;
   settings.error = GatherShare * error;
   return SolvedCase(scene, error).Gather(scene.cameras[0], settings).radiance;

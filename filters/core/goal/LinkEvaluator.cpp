@@ -75,7 +75,8 @@ public:
   {
     if (!this->IsCluster)
     {
-      return this->On(this->Tree[this->Own].patch, this->Own, 0.0, where);
+      const Node& own = this->Tree[this->Own];
+      return this->On(own.patch, this->Own, 1.0 / own.area, where);
     }
     const PatchOrder::Draw draw = this->Order.At(this->Range, which);
     return this->On(draw.patch, this->Tree.Patches()[draw.patch].node, draw.density, where);
@@ -86,9 +87,8 @@ private:
   {
     const Patch& patch = this->Tree.Patches()[patchId];
     const Node& element = this->Tree[node];
-    const double area = element.area;
-    return { node, area, PointAt(element.corners.data(), element.cornerCount, where), patch.normal,
-      patch.facet, density > 0.0 ? density : 1.0 / area };
+    return { node, element.area, PointAt(element.corners.data(), element.cornerCount, where),
+      patch.normal, patch.facet, density };
   }
 
   const ElementTree& Tree;
