@@ -64,7 +64,7 @@ std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& 
 {
   const OpenTree& tree = transport.Tree();
   const auto levelOf = [&tree](OpenId id)
-  { return tree[id].IsCluster() ? InteractionRecord::ClusterLevel : tree[id].level; };
+  { return tree.Geometry(id).IsCluster() ? InteractionRecord::ClusterLevel : tree[id].level; };
   std::vector<InteractionRecord> records;
   records.reserve(transport.Links().size());
   for (const Link& link : transport.Links())
@@ -77,8 +77,8 @@ std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& 
     InteractionRecord record;
     record.shooterCentre = tree.Geometry(from).centre;
     record.receiverCentre = tree.Geometry(to).centre;
-    record.shooter = tree[from].patch;
-    record.receiver = tree[to].patch;
+    record.shooter = tree.Geometry(from).patch;
+    record.receiver = tree.Geometry(to).patch;
     record.shooterLevel = levelOf(from);
     record.receiverLevel = levelOf(to);
     record.formFactor = link.throughput / tree[from].area;

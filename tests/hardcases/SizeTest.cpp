@@ -1,5 +1,6 @@
 #include "core/scene/Labyrinth.h"
 #include "hardcases/HardCase.h"
+#include "support/TestScenes.h"
 
 namespace vantage
 {
@@ -21,6 +22,21 @@ TEST(HardCase, TensOfThousandsOfPolygonsThatNobodySees)
   EXPECT_GT(many.GetScene().PolygonCount(), 45000u);
   EXPECT_LT(many.Interactions().size(), 3 * few.Interactions().size());
   EXPECT_LT(many.MemoryBytes() / many.GetScene().PolygonCount(), 2000u);
+}
+
+/// Surfaces that were cut into 2,900 and 5,800 pieces, lamp included. Oracle: as they were, both in
+/// the picture, within twice its error, and in the interactions that it takes.
+TEST(HardCase, SurfacesCutIntoThousandsOfPieces)
+{
+  const Scene whole = test::MakeLitBox();
+  const Image expected = test::CasePicture(whole, 0.02);
+  const std::size_t interactions = test::SolvedCase(whole, 0.02).Interactions().size();
+  for (const bool triangles : { false, true })
+  {
+    const Scene cut = test::CutIntoPieces(whole, 15, triangles);
+    EXPECT_LT(Compare(test::CasePicture(cut, 0.02), expected).relativeL1, 0.04);
+    EXPECT_LT(test::SolvedCase(cut, 0.02).Interactions().size(), 2 * interactions);
+  }
 }
 
 } // namespace

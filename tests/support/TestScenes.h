@@ -42,6 +42,41 @@ inline std::vector<Vec3> CornersOf(const Scene& scene, std::size_t p)
   return points;
 }
 
+/// The same scene with every quadrilateral cut into n x n pieces, or these into two triangles each.
+inline Scene CutIntoPieces(const Scene& whole, int n, bool triangles = false)
+{
+  Scene cut;
+  cut.materials = whole.materials;
+  cut.cameras = whole.cameras;
+  for (std::size_t p = 0; p < whole.PolygonCount(); ++p)
+  {
+    const std::vector<Vec3> points = CornersOf(whole, p);
+    const auto at = [&](double i, double j)
+    {
+      const Vec3 low = points[0] + i / n * (points[1] - points[0]);
+      const Vec3 high = points[3] + i / n * (points[2] - points[3]);
+      return low + j / n * (high - low);
+    };
+    for (int i = 0; i < n * n; ++i)
+    {
+      const int x = i % n;
+      const int y = i / n;
+      const std::array<Vec3, 4> c{ at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1) };
+      const std::uint32_t material = whole.materialOfPolygon[p];
+      if (triangles)
+      {
+        cut.AddPolygon({ c[0], c[1], c[2] }, material);
+        cut.AddPolygon({ c[0], c[2], c[3] }, material);
+      }
+      else
+      {
+        cut.AddPolygon({ c[0], c[1], c[2], c[3] }, material);
+      }
+    }
+  }
+  return cut;
+}
+
 inline Material MakeMaterial(
   const Color& albedo, const Color& emission = Color(0.0), bool twoSided = false)
 {

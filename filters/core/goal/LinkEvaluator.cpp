@@ -63,6 +63,7 @@ public:
     , Order(tree.Patches())
     , IsCluster(tree[id].IsCluster())
     , Own(tree[id].node)
+    , OwnPatch(tree[id].patch)
   {
     if (this->IsCluster)
     {
@@ -76,7 +77,7 @@ public:
     if (!this->IsCluster)
     {
       const Node& own = this->Tree[this->Own];
-      return this->On(own.patch, this->Own, 1.0 / own.area, where);
+      return this->On(this->OwnPatch, this->Own, 1.0 / own.area, where);
     }
     const PatchOrder::Draw draw = this->Order.At(this->Range, which);
     return this->On(draw.patch, this->Tree.Patches()[draw.patch].node, draw.density, where);
@@ -95,6 +96,7 @@ private:
   const PatchOrder& Order;
   bool IsCluster;
   NodeId Own;
+  PatchId OwnPatch;
   PatchRange Range;
 };
 

@@ -151,7 +151,10 @@ OpenNode OpenTree::Make(NodeId node, OpenId parent) const
   OpenNode made;
   made.node = node;
   made.parent = parent;
-  made.patch = this->Elements[node].patch;
+  const Node& element = this->Elements[node];
+  made.patch = element.IsCluster() && element.HasShape()
+                 ? this->Order[this->Order.RangeOf(node).first]
+                 : element.patch;
   made.level = this->Elements[node].level;
   made.area = this->Elements[node].area;
   this->Measure(made);
@@ -180,8 +183,8 @@ void OpenTree::Probe(OpenNode& node)
     node.escapeError = 1.0;
     return;
   }
-  const bool isPatch = node.level == 0;
-  if (!isPatch)
+  const bool isPartOfSurface = node.parent != None && !this->Nodes[node.parent].IsCluster();
+  if (isPartOfSurface)
   {
     const OpenNode& parent = this->Nodes[node.parent];
     const bool isWholeInAir = parent.area == this->Elements[parent.node].area;
@@ -191,7 +194,7 @@ void OpenTree::Probe(OpenNode& node)
       return;
     }
   }
-  const std::uint32_t points = isPatch ? ProbesOfPatch : ProbesOfElement;
+  const std::uint32_t points = isPartOfSurface ? ProbesOfElement : ProbesOfPatch;
   const Polygon shape = this->Elements.Shape(node.node);
   const Patch& patch = this->Elements.Patches()[node.patch];
   ProbeResult met;
@@ -221,7 +224,7 @@ void OpenTree::HandDownSamples(OpenId id)
     const auto end = this->Samples.begin() + parent.lastSample;
     const auto isInside = [&](const ViewSample& sample)
     {
-      return parent.IsCluster()
+      return this->Elements[parent.node].IsCluster()
                ? this->Order.PlaceOf(sample.patch) < this->Order.RangeOf(child.node).last
                : this->Elements.ChildContaining(parent.node, sample.point) == child.node;
     };

@@ -15,8 +15,9 @@ namespace vantage
 
 using OpenId = std::uint32_t;
 
-/// A cluster, patch or element that takes part. Where it has no children here it is a leaf,
-/// whatever the element tree has below it: a cluster that is a leaf is known by its means only.
+/// A cluster, patch or element that takes part. A flat cluster (CutSurfaces.h) counts as a surface,
+/// like a patch. Where it has no children here it is a leaf, whatever the element tree has below
+/// it: a cluster that is a leaf is known by its means only.
 struct OpenNode
 {
   NodeId node = None;
@@ -24,7 +25,7 @@ struct OpenNode
   OpenId firstChild = None;
   std::uint8_t childCount = 0;
   std::uint8_t level = 0;   ///< below the patch
-  PatchId patch = None;     ///< None for a cluster
+  PatchId patch = None;     ///< of a flat cluster: one of its patches; None for other clusters
   double area = 0.0;        ///< exposed to the air: not under furniture
   double escaped = 0.0;     ///< part of what it sees that is outside the scene (probed)
   double escapeError = 0.0; ///< two standard deviations of that; 0: known exactly

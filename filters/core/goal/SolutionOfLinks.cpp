@@ -68,8 +68,23 @@ private:
     }
     else if (link.throughput > 0.0 || link.agreeingRays < RaysToGiveUp)
     {
-      this->Direct[to].lamps.push_back(lamp.patch);
+      this->NameAll(from, this->Direct[to].lamps);
       this->Direct[to].named += this->Transport.ClosureOf(from) * irradiance;
+    }
+  }
+
+  /// The patches of a surface that was cut.
+  void NameAll(OpenId lamp, std::vector<PatchId>& lamps) const
+  {
+    if (!this->Tree.Geometry(lamp).IsCluster())
+    {
+      lamps.push_back(this->Tree[lamp].patch);
+      return;
+    }
+    const PatchRange range = this->Tree.RangeOf(lamp);
+    for (std::uint32_t place = range.first; place < range.last; ++place)
+    {
+      lamps.push_back(this->Tree.Patches()[place]);
     }
   }
 
@@ -100,7 +115,8 @@ private:
       element.indirect = glm::max(element.reflected - named, Color(0.0));
       this->NameLamps(element, this->Direct[id].lamps);
     }
-    if (node.IsCluster() ? node.IsLeaf() : node.level == 0)
+    const bool hasManyPatches = this->Tree.Geometry(id).IsCluster();
+    if (hasManyPatches ? node.IsLeaf() : node.level == 0)
     {
       const PatchRange range = this->Tree.RangeOf(id);
       for (std::uint32_t place = range.first; place < range.last; ++place)

@@ -33,22 +33,30 @@ inline PatchId PatchOf(std::uint32_t facet, Side side)
   return 2 * facet + static_cast<std::uint32_t>(side);
 }
 
-/// A cluster (patch = None), a patch (level 0) or an element of a patch (level > 0).
+/// A cluster (patch = None), a patch (level 0) or an element of a patch (level > 0). Some clusters
+/// are flat: their patches are one surface that was cut (CutSurfaces.h), and have its shape.
 struct Node
 {
-  std::array<Vec3, 4> corners{}; ///< of a patch or element, counter-clockwise from its side
-  Vec3 centre{ 0.0 };            ///< centroid; of a cluster: centre of its bounding box
+  std::array<Vec3, 4> corners{}; ///< of what has a shape, counter-clockwise from its side
+  Vec3 centre{ 0.0 };            ///< centroid; of other clusters: centre of the bounding box
   double radius = 0.0;           ///< all of the node lies within this distance of the centre
   double area = 0.0;             ///< of a cluster: the sum over its patches
   NodeId parent = None;
   NodeId firstChild = None; ///< children have consecutive ids
   PatchId patch = None;
   std::uint8_t childCount = 0;  ///< 0 (leaf), 2 (cluster) or 4 (patch, element)
-  std::uint8_t cornerCount = 0; ///< 3 or 4; 0 for a cluster
+  std::uint8_t cornerCount = 0; ///< 3 or 4; 0 without a shape
   std::uint8_t level = 0;       ///< subdivisions below the patch
 
   bool IsLeaf() const { return this->childCount == 0; }
   bool IsCluster() const { return this->patch == None; }
+  /// Patches, elements and flat clusters do.
+  bool HasShape() const { return this->cornerCount > 0; }
+  /// \pre HasShape()
+  Polygon Shape() const;
+
+  /// With centre, radius and area.
+  void SetShape(const Polygon& shape);
 };
 
 /// A parent always has a smaller id than its children, so that sums up and down the tree are two
@@ -76,8 +84,8 @@ public:
   const Patch& PatchOfNode(NodeId id) const { return this->AllPatches[this->Nodes[id].patch]; }
   std::size_t LeafElementCount() const { return this->LeafElements; }
 
-  /// The shape of a patch or an element. \pre not a cluster
-  Polygon Shape(NodeId id) const;
+  /// \pre it has one
+  Polygon Shape(NodeId id) const { return this->Nodes[id].Shape(); }
 
   /// Makes the four children of a patch or element, if it has none yet: a quadrilateral gives four
   /// quadrilaterals around the mean of its corners, a triangle three at its corners and one in the

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <tuple>
@@ -400,6 +401,14 @@ FacetShapes::FacetShapes(const std::vector<Facet>& facets)
     this->Corners.insert(this->Corners.end(), facet.shape.begin(), facet.shape.end());
   }
   this->Starts.push_back(static_cast<std::uint32_t>(this->Corners.size()));
+}
+
+double FacetSet::Tolerance() const
+{
+  constexpr double OfDiagonal = 1e-9;
+  const Vec3 furthest = glm::max(glm::abs(this->low), glm::abs(this->high));
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * MaxChannel(furthest);
+  return OfDiagonal * glm::length(this->high - this->low) + rounding;
 }
 
 FacetSet BuildFacets(const Scene& scene, double weldTolerance)

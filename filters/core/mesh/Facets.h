@@ -69,6 +69,10 @@ struct FacetSet
   Vec3 high{ 0.0 };
   double meanArea = 0.0; ///< mean area of a facet: the size that relative tolerances refer to
   FacetReport report;
+
+  /// Length below which two things touch: 1e-9 of the diagonal of the scene plus the rounding of
+  /// its coordinates (which counts when the scene lies far from the origin).
+  double Tolerance() const;
 };
 
 /// The shapes alone, packed: a Polygon has room for more corners than a facet has.

@@ -23,9 +23,6 @@ namespace
 /// boxes.
 constexpr double SinglePrecisionMargin = 1e-6;
 
-/// Weld distance of the mesh layer, relative to the diagonal: nearer points are not told apart.
-constexpr double RelativeTolerance = 1e-9;
-
 RTCBounds BoundsOf(const Polygon& part, double margin)
 {
   Vec3 low = part[0];
@@ -193,14 +190,6 @@ bool ClipToScene(Query& query)
   return start < end && std::isfinite(end) && query.length > 0.0;
 }
 
-/// 1e-9 of the diagonal and the rounding of the largest coordinate, a few times over.
-double ToleranceOf(const FacetSet& set)
-{
-  const Vec3 furthest = glm::max(glm::abs(set.low), glm::abs(set.high));
-  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * MaxChannel(furthest);
-  return RelativeTolerance * glm::length(set.high - set.low) + rounding;
-}
-
 } // namespace
 
 struct OccluderScene::Implementation
@@ -230,9 +219,9 @@ OccluderScene::Implementation::Implementation(const FacetSet& set)
   : shapes(set.facets)
   , centre(0.5 * (set.low + set.high))
   , scale(1.0 / std::max(glm::length(set.high - set.low), std::numeric_limits<double>::min()))
-  , hierarchy(this->shapes, ToleranceOf(set))
+  , hierarchy(this->shapes, set.Tolerance())
 {
-  this->list.tolerance = ToleranceOf(set) * this->scale;
+  this->list.tolerance = set.Tolerance() * this->scale;
   this->NormaliseFacets();
   this->BuildEmbreeScene();
 }

@@ -76,8 +76,7 @@ public:
   std::uint32_t FacetCount() const;
   Polygon Shape(std::uint32_t facet) const;
 
-  /// Length below which two things touch, in scene units: 1e-9 of the scene's diagonal plus the
-  /// rounding of its coordinates (which counts when the scene lies far from the origin).
+  /// FacetSet::Tolerance(), in scene units.
   double Tolerance() const;
 
 private:

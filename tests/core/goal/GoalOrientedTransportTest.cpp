@@ -154,6 +154,35 @@ TEST(GoalOrientedTransport, BothSidesOfDualityAgree)
   }
 }
 
+TEST(GoalOrientedTransport, SurfacesThatWereCutExchangeLightAsWholes)
+{
+  Transported t(test::CutIntoPieces(test::MakeFurnace(Color(0.3)), 12, true));
+  t.transport.SetView(t.stage.View());
+  t.Run(8);
+  int wholes = 0;
+  for (const Link& link : t.transport.Links())
+  {
+    for (const OpenId end : link.ends)
+    {
+      const Node& node = t.transport.Tree().Geometry(end);
+      wholes += node.IsCluster() && node.HasShape() && node.area > 0.5 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(wholes, 0);
+  EXPECT_LT(t.transport.Links().size(), 1728u); // there are so many pieces
+  for (int k = 0; k < 10; ++k)
+  {
+    t.transport.Solve();
+  }
+  for (const OpenId leaf : test::LeavesOf(t.transport.Tree()))
+  {
+    if (!t.transport.Tree()[leaf].IsCluster())
+    {
+      EXPECT_NEAR(Mean(t.transport.Radiance().Value(leaf)) * 0.7, 1.0, 1e-4) << "node " << leaf;
+    }
+  }
+}
+
 TEST(GoalOrientedTransport, AFurnaceIsUniformAfterAnyNumberOfRounds)
 {
   // 0.3 of the light is left after a reflection: twelve sweeps leave nothing.

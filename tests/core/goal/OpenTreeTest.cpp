@@ -86,9 +86,9 @@ TEST(OpenTree, StartsAtTheRootAndOpensOnce)
   EXPECT_NEAR(area, tree.Geometry(0).area, 1e-12);
 }
 
-TEST(OpenTree, OpeningHandsTheViewDown)
+void ExpectViewsAreHandedDown(const Scene& scene)
 {
-  const test::Stage stage(test::MakeFurnishedRoom());
+  const test::Stage stage(scene);
   const std::vector<ViewSample> samples = stage.View();
   OpenTree before = stage.MakeOpenTree();
   before.SetView(samples);
@@ -111,6 +111,34 @@ TEST(OpenTree, OpeningHandsTheViewDown)
   std::vector<ViewSample> few(samples.begin(), samples.begin() + 40);
   before.SetView(few);
   ExpectViews(before, few);
+}
+
+TEST(OpenTree, OpeningHandsTheViewDown)
+{
+  ExpectViewsAreHandedDown(test::MakeFurnishedRoom());
+  ExpectViewsAreHandedDown(test::CutIntoPieces(test::MakeFurnishedRoom(), 4));
+}
+
+TEST(OpenTree, AFlatClusterIsASurface)
+{
+  const test::Stage stage(test::CutIntoPieces(test::MakeLitBox(), 4));
+  OpenTree tree = stage.MakeOpenTree();
+  test::OpenTo(tree, 0);
+  int flat = 0;
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    const Node& node = tree.Geometry(id);
+    ASSERT_EQ(tree[id].IsCluster(), !node.HasShape());
+    if (node.IsCluster() && node.HasShape())
+    {
+      ++flat;
+      EXPECT_TRUE(tree.RangeOf(id).first <= tree.Patches().PlaceOf(tree[id].patch) &&
+                  tree.Patches().PlaceOf(tree[id].patch) < tree.RangeOf(id).last);
+      EXPECT_EQ(tree[id].albedo, tree.Optics()[tree[id].patch].albedo);
+      EXPECT_NEAR(glm::length(tree.PatchOf(id).normal - UnitNormal(tree.Shape(id))), 0.0, 1e-12);
+    }
+  }
+  EXPECT_GT(flat, 10);
 }
 
 TEST(OpenTree, NodesKnowHowUnevenlyViewAndEmissionLieInThem)
