@@ -79,6 +79,23 @@ Scene MakeOpenRandomScene(std::uint64_t seed)
   return Reordered(closed, kept);
 }
 
+Scene MakeSymmetricScene(std::uint64_t seed)
+{
+  RandomStream random(seed);
+  Scene scene;
+  scene.materials = { MakeMaterial(RandomColor(random, 0.1, 0.8)),
+    MakeMaterial(RandomColor(random, 0.1, 0.8), RandomColor(random, 1.0, 20.0), true) };
+  AddBox(scene, Vec3(0.0), Vec3(1.0), true, { 0, 0, 0, 0, 0, 0 });
+  const double half = 0.05 + 0.3 * random.Next();
+  const double z = 0.3 + 0.4 * random.Next();
+  const double low = 0.5 - half;
+  const double high = 0.5 + half;
+  scene.AddPolygon(
+    { Vec3(low, low, z), Vec3(low, high, z), Vec3(high, high, z), Vec3(high, low, z) }, 1);
+  scene.cameras.push_back(InsideCamera());
+  return scene;
+}
+
 std::vector<std::size_t> RandomOrder(std::uint64_t seed, std::size_t count)
 {
   std::vector<std::size_t> order(count);
@@ -133,10 +150,16 @@ void Solve(Solver& solver, double error)
 std::vector<Color> RadianceOfPolygonSides(const Solver& solver)
 {
   const ElementSolution solution = solver.Elements();
+  return MeansOverPolygonSides(solver, solution, solution.radiance);
+}
+
+std::vector<Color> MeansOverPolygonSides(
+  const Solver& solver, const ElementSolution& solution, const std::vector<Color>& values)
+{
   const std::size_t sides = 2 * solver.GetScene().PolygonCount();
   std::vector<Color> sums(sides, Color(0.0));
   std::vector<double> areas(sides, 0.0);
-  for (std::size_t i = 0; i < solution.radiance.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
     const ElementSurface& surface = solution.surface;
     Vec3 areaNormal(0.0);
@@ -148,7 +171,7 @@ std::vector<Color> RadianceOfPolygonSides(const Solver& solver)
     }
     const std::size_t side = 2 * solution.scenePolygon[i] + (solution.side[i] == Side::Back);
     const double area = 0.5 * glm::length(areaNormal);
-    sums[side] += area * solution.radiance[i];
+    sums[side] += area * values[i];
     areas[side] += area;
   }
   for (std::size_t s = 0; s < sides; ++s)

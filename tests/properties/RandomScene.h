@@ -17,6 +17,10 @@ Scene MakeRandomScene(std::uint64_t seed);
 /// The same without its ceiling: light gets out.
 Scene MakeOpenRandomScene(std::uint64_t seed);
 
+/// A closed cube of one albedo around a square lamp that is parallel to its floor and in the middle
+/// of the walls: four of them get the same light, so that ties must be broken.
+Scene MakeSymmetricScene(std::uint64_t seed);
+
 /// The numbers below `count` in a random order.
 std::vector<std::size_t> RandomOrder(std::uint64_t seed, std::size_t count);
 
@@ -34,5 +38,8 @@ void Solve(Solver& solver, double error);
 
 /// Mean radiance of each side of each polygon of the scene: two entries a polygon, front and back.
 std::vector<Color> RadianceOfPolygonSides(const Solver& solver);
+/// The same of any quantity that `elements`, the solver's, have.
+std::vector<Color> MeansOverPolygonSides(
+  const Solver& solver, const ElementSolution& elements, const std::vector<Color>& values);
 
 } // namespace vantage::test
