@@ -18,9 +18,11 @@ namespace vantage::test
 constexpr int CasePixels = 32;
 
 /// The solver after a run at default settings.
-inline Solver SolvedCase(const Scene& scene, double error)
+inline Solver SolvedCase(const Scene& scene, double error, std::uint64_t seed = 1)
 {
-  Solver solver(scene);
+  SolverSettings settings;
+  settings.seed = seed;
+  Solver solver(scene, settings);
   solver.SetCamera(scene.cameras[0]);
   Budget budget;
   budget.error = error;
@@ -28,13 +30,14 @@ inline Solver SolvedCase(const Scene& scene, double error)
   return solver;
 }
 
-inline Image CasePicture(const Scene& scene, double error, int pixels = CasePixels)
+inline Image CasePicture(
+  const Scene& scene, double error, int pixels = CasePixels, std::uint64_t seed = 1)
 {
   GatherSettings settings;
   settings.width = settings.height = pixels;
   settings.pixelCentres = true;
   settings.error = GatherShare * error;
-  return SolvedCase(scene, error).Gather(scene.cameras[0], settings).radiance;
+  return SolvedCase(scene, error, seed).Gather(scene.cameras[0], settings).radiance;
 }
 
 inline double MeanRadiance(const Image& image)

@@ -111,6 +111,42 @@ inline Scene MakeFurnace(const Color& albedo, const Color& emission = Color(1.0)
   return scene;
 }
 
+/// The same over any floor, with its walls: floor and ceiling have as many corners as there are
+/// walls. The floor is counter-clockwise.
+inline Scene MakeGlowingRoom(const std::vector<Vec2>& plan, double height, double albedo)
+{
+  Scene scene;
+  scene.materials = { MakeMaterial(Color(albedo), Color(1.0)) };
+  std::vector<Vec3> floor, ceiling;
+  for (const Vec2& p : plan)
+  {
+    floor.emplace_back(p.x, p.y, 0.0);
+    ceiling.emplace(ceiling.begin(), p.x, p.y, height);
+  }
+  scene.AddPolygon(floor, 0);
+  scene.AddPolygon(ceiling, 0);
+  for (std::size_t k = 0; k < plan.size(); ++k)
+  {
+    const Vec2& a = plan[k];
+    const Vec2& b = plan[(k + 1) % plan.size()];
+    scene.AddPolygon(
+      { Vec3(a.x, a.y, 0), Vec3(a.x, a.y, height), Vec3(b.x, b.y, height), Vec3(b.x, b.y, 0) }, 0);
+  }
+  scene.cameras = { InsideCamera() };
+  return scene;
+}
+
+/// A floor of 22 corners: teeth and gaps of half a metre.
+inline std::vector<Vec2> CombPlan()
+{
+  std::vector<Vec2> comb = { { 0, 0 }, { 5, 0 } };
+  for (int k = 4; k >= 0; --k)
+  {
+    comb.insert(comb.end(), { { k + 1.0, 3 }, { k + 0.5, 3 }, { k + 0.5, 1 }, { k + 0.0, 1 } });
+  }
+  return comb;
+}
+
 /// Closed unit box with coloured walls, a lamp below the ceiling and a block on the floor: direct
 /// and indirect light, shadows, both sides of the lamp.
 inline Scene MakeLitBox()

@@ -16,6 +16,7 @@ namespace
 /// Points of a patch that are probed; a child inherits what is the same all over its parent.
 constexpr std::uint32_t ProbesOfPatch = 64;
 constexpr std::uint32_t ProbesOfElement = 16;
+constexpr std::uint32_t ProbesOfCluster = 64;
 /// A point from which so many rays in turn meet inactive sides is inside something.
 constexpr int RaysToTellCovered = 4;
 
@@ -180,7 +181,7 @@ void OpenTree::Probe(OpenNode& node)
 {
   if (node.IsCluster())
   {
-    node.escapeError = 1.0;
+    this->ProbeCluster(node);
     return;
   }
   const bool isPartOfSurface = node.parent != None && !this->Nodes[node.parent].IsCluster();
@@ -209,6 +210,31 @@ void OpenTree::Probe(OpenNode& node)
     node.escaped = static_cast<double>(met.escaped) / met.exposed;
     node.escapeError =
       2.0 * std::sqrt((node.escaped * (1.0 - node.escaped) + 1.0 / met.exposed) / met.exposed);
+  }
+}
+
+/// Whether anything escapes: how much says little of what a cluster has in it. Where it does from
+/// the parent, nothing is known of the parts.
+void OpenTree::ProbeCluster(OpenNode& node)
+{
+  node.escapeError = 1.0;
+  if (node.parent != None && this->Nodes[node.parent].IsUnprobed())
+  {
+    return;
+  }
+  const std::uint64_t seed = Hash(node.node);
+  const PatchRange range = this->Order.RangeOf(node.node);
+  ProbeResult met;
+  for (std::uint32_t i = 0; i < ProbesOfCluster && met.escaped == 0; ++i)
+  {
+    const PatchId patch = this->Order.ByArea(range, ScrambledSobol(i, Hash(seed, 0)).x);
+    const Patch& drawn = this->Elements.Patches()[patch];
+    ProbePoint(*this, *this->Occluders, this->Elements.Shape(drawn.node), drawn, seed, i, met);
+  }
+  this->Rays += met.rays;
+  if (met.exposed > 0 && met.escaped == 0)
+  {
+    node.escapeError = 0.0;
   }
 }
 

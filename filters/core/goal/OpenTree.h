@@ -28,7 +28,7 @@ struct OpenNode
   PatchId patch = None;     ///< of a flat cluster: one of its patches; None for other clusters
   double area = 0.0;        ///< exposed to the air: not under furniture
   double escaped = 0.0;     ///< part of what it sees that is outside the scene (probed)
-  double escapeError = 0.0; ///< two standard deviations of that; 0: known exactly
+  double escapeError = 0.0; ///< two standard deviations of that; 0: known exactly, 1: not at all
   double view = 0.0;        ///< area times V, sr
   double viewRms = 0.0;     ///< root mean square of V: how unevenly it lies in the node, sr m^-2
   double emissionRms = 0.0; ///< of a cluster, the same of the mean channel of the emission
@@ -40,6 +40,7 @@ struct OpenNode
   bool IsLeaf() const { return this->childCount == 0; }
   bool IsCluster() const { return this->patch == None; }
   bool IsExposed() const { return this->area > 0.0; }
+  bool IsUnprobed() const { return this->escapeError == 1.0; }
 };
 
 /// Opened from the root on demand. A parent has a smaller id than its children. Memory and time are
@@ -56,7 +57,8 @@ public:
   void SetView(std::vector<ViewSample> samples);
 
   /// Makes the children of a node; nothing happens when it has some. Those of a patch or element
-  /// are probed for what covers them. \pre MaySplit
+  /// are probed for what covers them, clusters in a closed one for whether they are closed as well.
+  /// \pre MaySplit
   void Open(OpenId id);
 
   /// Makes the area of every inner node the sum of its children's. O(nodes).
@@ -81,6 +83,7 @@ private:
   OpenNode Make(NodeId node, OpenId parent) const;
   void Measure(OpenNode& node) const;
   void Probe(OpenNode& node);
+  void ProbeCluster(OpenNode& node);
   void HandDownSamples(OpenId id);
   void SumEmissionInView();
   double ViewRmsOfSurface(const OpenNode& node) const;

@@ -81,6 +81,12 @@ PatchOrder::Draw PatchOrder::At(const PatchRange& range, double u) const
   return { this->Patches[place], density };
 }
 
+PatchId PatchOrder::ByArea(const PatchRange& range, double u) const
+{
+  const double target = this->AreaBefore[range.first] + u * this->Area(range);
+  return this->Patches[PlaceWhere(this->AreaBefore, range, target)];
+}
+
 std::size_t PatchOrder::Bytes() const
 {
   return this->Ranges.capacity() * sizeof(PatchRange) +

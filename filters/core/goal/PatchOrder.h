@@ -56,6 +56,8 @@ public:
     double density;
   };
   Draw At(const PatchRange& range, double u) const;
+  /// A patch drawn by area alone.
+  PatchId ByArea(const PatchRange& range, double u) const;
 
   std::size_t Bytes() const;
 

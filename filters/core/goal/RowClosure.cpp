@@ -9,10 +9,11 @@ namespace vantage
 namespace
 {
 
-constexpr int MostIterations = 8;
+/// Some twenty are enough, unless rows cannot be closed within the bounds of the factors.
+constexpr int MostIterations = 64;
 constexpr double Tolerance = 1e-5;
 constexpr double SmallestFactor = 0.02;
-constexpr double LargestFactor = 1.6;
+constexpr double LargestFactor = 4.0;
 
 /// What a row may sum up to.
 struct Range
@@ -21,13 +22,9 @@ struct Range
   double most;
 };
 
-/// Of a surface, what the probes say. Nobody has counted what escapes from a cluster.
+/// What the probes say.
 Range RangeOf(const OpenNode& node)
 {
-  if (node.IsCluster())
-  {
-    return { 0.0, Pi };
-  }
   const double seen = 1.0 - node.escaped;
   return { Pi * std::max(0.0, seen - node.escapeError),
     Pi * std::min(1.0, seen + node.escapeError) };
@@ -90,7 +87,7 @@ void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector
       }
       const Range range = RangeOf(node);
       const double target = std::clamp(raw[id], range.least, range.most);
-      const double largest = node.IsCluster() ? 1.0 : LargestFactor;
+      const double largest = node.IsUnprobed() ? 1.0 : LargestFactor;
       // The square root takes half a step, as the other ends move as well.
       const double factor =
         std::clamp(std::sqrt(closure[id] * target / sums[id]), SmallestFactor, largest);

@@ -256,11 +256,27 @@ TEST(OpenTree, NothingEscapesFromAClosedBoxAndFewRaysTellSo)
   for (OpenId id = 0; id < tree.Size(); ++id)
   {
     EXPECT_EQ(tree[id].escaped, 0.0);
-    EXPECT_TRUE(tree[id].IsCluster() || tree[id].escapeError == 0.0);
+    EXPECT_EQ(tree[id].escapeError, 0.0);
     EXPECT_EQ(tree[id].area, tree.Geometry(id).area);
   }
-  // 64 rays a patch; elements inherit what is the same everywhere.
-  EXPECT_EQ(tree.ProbeRays(), 6u * 64u);
+  // 64 rays a patch and a cluster; elements inherit what is the same everywhere.
+  EXPECT_EQ(tree.ProbeRays(), (6u + 5u) * 64u);
+}
+
+TEST(OpenTree, NothingIsKnownOfClustersOfAnOpenBoxAfterFewRays)
+{
+  const test::Stage stage(test::MakeOpenBox());
+  OpenTree tree = stage.MakeOpenTree();
+  EXPECT_TRUE(tree[0].IsUnprobed());
+  EXPECT_LT(tree.ProbeRays(), 64u);
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    if (tree[id].IsCluster())
+    {
+      EXPECT_TRUE(tree[id].IsUnprobed()) << "node " << id;
+      tree.Open(id);
+    }
+  }
 }
 
 TEST(OpenTree, WhatEscapesFromAnOpenBoxIsTheFormFactorOfTheLid)

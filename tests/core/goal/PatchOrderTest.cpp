@@ -181,5 +181,24 @@ TEST(PatchOrder, TheEndsOfTheUnitIntervalStayInTheRange)
   }
 }
 
+TEST(PatchOrder, DrawsByAreaWhateverIsEmitted)
+{
+  const Ordered o(TwoRooms());
+  const PatchRange all = o.order.RangeOf(o.tree.Root());
+  constexpr int Draws = 100000;
+  std::vector<int> drawn(o.tree.Patches().size(), 0);
+  for (int i = 0; i < Draws; ++i)
+  {
+    ++drawn[o.order.ByArea(all, (i + 0.5) / Draws)];
+  }
+  for (PatchId patch = 0; patch < drawn.size(); ++patch)
+  {
+    const NodeId node = o.tree.Patches()[patch].node;
+    const double area = node == None ? 0.0 : o.tree[node].area;
+    // Equidistant: one more or less at either border.
+    EXPECT_NEAR(drawn[patch], Draws * area / o.order.Area(all), 1.0 + 1e-6) << "patch " << patch;
+  }
+}
+
 } // namespace
 } // namespace vantage
