@@ -143,6 +143,9 @@ void GoalOrientedTransport::Converge(Flow& flow)
     lastChange = isBalanced ? 0.0 : change;
     isBalanced = !isBalanced && isSlow;
   }
+  // The tolerance is of one sign all over: what is left of the sum is known without sweeping on.
+  ++this->Counts.sweeps;
+  flow.Sweep(this->Open, this->AllLinks, this->Closure, true);
 }
 
 double GoalOrientedTransport::Goal() const
