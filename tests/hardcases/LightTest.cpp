@@ -105,14 +105,19 @@ Scene MakeRoomsWithGap(double width)
   return scene;
 }
 
-/// Light through a gap grows with it.
+/// Neither a leak nor none. Oracle: the slow twin, of whose paths one of thousands finds the gap.
 TEST(HardCase, ADoorOpenedByAMillimetre)
 {
-  const double one = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(1e-3), 0.05));
-  const double ten = test::MeanRadiance(test::CasePicture(MakeRoomsWithGap(1e-2), 0.05));
-  EXPECT_GT(one, 0.0);
-  EXPECT_GT(ten, 3.0 * one);
-  EXPECT_LT(ten, 30.0 * one);
+  constexpr double Asked = 0.05;
+  // Light through a gap is what estimates of the error know least: half as much again as was asked.
+  constexpr double Missed = 1.5 * Asked;
+  // Standard deviations of the slow twin over seeds.
+  constexpr double NoiseOfOne = 0.025;
+  constexpr double NoiseOfTen = 0.010;
+  EXPECT_NEAR(
+    test::RelativeToTraced(MakeRoomsWithGap(1e-3), Asked, 1024), 1.0, Missed + 2.0 * NoiseOfOne);
+  EXPECT_NEAR(
+    test::RelativeToTraced(MakeRoomsWithGap(1e-2), Asked, 512), 1.0, Missed + 2.0 * NoiseOfTen);
 }
 
 /// A dark room beside a lit one: nothing can be known relative to no light at all.
