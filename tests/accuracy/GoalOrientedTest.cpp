@@ -1,6 +1,6 @@
 #include "accuracy/References.h"
-#include "core/Solver.h"
 #include "core/goal/GoalScenes.h"
+#include "hardcases/HardCase.h"
 #include "support/ReferenceImage.h"
 #include "support/StudyScenes.h"
 
@@ -36,20 +36,11 @@ struct Judged
 };
 
 /// A picture of an asked error against a reference that owes nothing to the solver.
-Judged Judge(const Scene& scene, Camera camera, double asked)
+Judged Judge(Scene scene, Camera camera, double asked)
 {
   camera.aspect = 1.0;
-  SolverSettings settings;
-  Solver solver(scene, settings);
-  solver.SetCamera(camera);
-  Budget budget;
-  budget.error = asked;
-  solver.Run(budget);
-  GatherSettings pixels;
-  pixels.width = pixels.height = Size;
-  pixels.pixelCentres = true;
-  pixels.error = GatherShare * asked;
-  const Image picture = solver.Gather(camera, pixels).radiance;
+  scene.cameras = { camera };
+  const Image picture = test::CasePicture(scene, asked, Size);
   const test::ReferenceImage reference = test::MakeReference(scene, camera, QuickReference());
   return { Compare(picture, reference.image), reference.noise };
 }
