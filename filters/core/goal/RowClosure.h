@@ -22,7 +22,7 @@ namespace vantage
 /// within [0.02, 4]: what no view needs has links of a few rays, which may miss most of a row.
 ///
 /// `closure` has an entry for each open node and holds the last factors, to start from; those of
-/// inner nodes are the means of their leaves. O(links + nodes) an iteration, some twenty.
+/// inner nodes are the means of their leaves. O(links + nodes) an iteration, some ten.
 void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector<double>& closure);
 
 /// The sums over links of F_ik d_k for every node i, those of its ancestors included, where
