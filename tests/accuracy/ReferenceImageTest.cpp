@@ -1,8 +1,10 @@
 #include "support/ReferenceImage.h"
 
 #include "accuracy/References.h"
+#include "core/formfactor/Shadows.h"
 #include "core/math/ScrambledSobol.h"
 #include "core/reference/ExactDirectLight.h"
+#include "core/scene/Labyrinth.h"
 #include "core/visibility/OccluderScene.h"
 #include "support/StudyScenes.h"
 #include "support/TestScenes.h"
@@ -80,6 +82,80 @@ TEST(ReferenceImage, DirectLightIsWhatManyShadowRaysFind)
     }
     EXPECT_LT(difference, 3e-4 * total);
   }
+}
+
+/// What a point sees of a lamp past each and every other facet of the scene, sr. Lengths are those
+/// of rooms, about 1.
+double SeenPastAllFacets(
+  const FacetSet& facets, std::uint32_t lamp, const Hit& hit, const Vec3& normal, double tolerance)
+{
+  const auto moved = [&](Polygon shape)
+  {
+    for (int i = 0; i < shape.Size(); ++i)
+    {
+      shape[i] -= hit.point;
+    }
+    return shape;
+  };
+  const Plane ground{ normal, 0.0 };
+  const Polygon whole = moved(facets.facets[lamp].shape);
+  const Plane lampPlane = SupportingPlane(whole);
+  const Polygon target = ClipToFront(whole, ground, tolerance);
+  if (target.Empty() || lampPlane.Distance(Vec3(0.0)) <= tolerance)
+  {
+    return 0.0;
+  }
+  std::vector<Polygon> shadows;
+  for (std::uint32_t f = 0; f < facets.facets.size(); ++f)
+  {
+    const Polygon above = ClipToFront(moved(facets.facets[f].shape), ground, tolerance);
+    const Polygon between = ClipToFront(above, lampPlane, tolerance);
+    if (f == hit.facet || f == lamp || between.Empty())
+    {
+      continue;
+    }
+    shadows.push_back(between);
+    if (PointToVisiblePolygon(Vec3(0.0), normal, target, { shadows.back() }) == 0.0)
+    {
+      return 0.0;
+    }
+  }
+  return PointToVisiblePolygon(Vec3(0.0), normal, target, shadows);
+}
+
+/// Lamps behind walls are told by one ray; that must not change what is seen of any lamp.
+TEST(ReferenceImage, DirectLightOfRoomsIsWhatIsSeenPastAllTheirFacets)
+{
+  const Scene scene = MakeLabyrinth({ 2, 3, 1 });
+  const FacetSet facets = BuildFacets(scene);
+  const OccluderScene occluders(facets);
+  const ExactDirectLight direct(scene, facets, occluders);
+  RandomStream random(1);
+  int hidden = 0;
+  int partly = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    const auto facet =
+      std::min<std::uint32_t>(random.Next() * facets.facets.size(), facets.facets.size() - 1);
+    const Vec3 normal = UnitNormal(facets.facets[facet].shape);
+    const Hit hit{ facet, Side::Front, PointAt(facets.facets[facet].shape, random.Next2()), 0.0 };
+    Color plain(0.0);
+    for (std::uint32_t f = 0; f < facets.facets.size(); ++f)
+    {
+      const Color emission = scene.materials[facets.facets[f].material].emission;
+      if (MaxChannel(emission) > 0.0 && f != facet)
+      {
+        const double seen = SeenPastAllFacets(facets, f, hit, normal, occluders.Tolerance());
+        plain += seen / Pi * emission;
+        hidden += seen == 0.0 ? 1 : 0;
+        partly += seen > 0.0 ? 1 : 0;
+      }
+    }
+    constexpr double RoundOff = 1e-12; // of pieces with small angles, times the emission of 60
+    EXPECT_NEAR(direct.At(hit, normal).x, plain.x, 60.0 * RoundOff) << i;
+  }
+  EXPECT_GT(hidden, 1000);
+  EXPECT_GT(partly, 100);
 }
 
 /// Radiance is the same everywhere, so nothing is left to err but arithmetic.

@@ -49,6 +49,49 @@ ConvexRegion Pyramid(const Vec3& apex, const Polygon& base, const Plane& ground)
 
 } // namespace
 
+/// A lamp from a point: what of it is above the horizon, and what can stand in the way. The point
+/// becomes the origin and the lamp is about 1 away.
+struct ExactDirectLight::Sight
+{
+  Sight(const Polygon& lamp, const Plane& givenLampPlane, const Vec3& x, const Vec3& givenNormal,
+    double tolerance);
+
+  /// The part of a facet that lies between the point and the lamp's plane.
+  Polygon ShadowCaster(const Polygon& facet, double tolerance) const
+  {
+    const Polygon above = ClipToFront(facet, this->ground, tolerance);
+    return Rescaled(ClipToFront(above, this->lampPlane, tolerance), this->origin, this->scale);
+  }
+  double SeenPast(const std::vector<Polygon>& shadows) const
+  {
+    return PointToVisiblePolygon(Vec3(0.0), this->normal, this->target, shadows);
+  }
+
+  Vec3 origin, normal;
+  Plane ground, lampPlane;
+  Polygon shining; ///< the part of the lamp above the horizon, empty when nothing shines here
+  double scale = 1.0;
+  Polygon target; ///< that part, rescaled
+};
+
+ExactDirectLight::Sight::Sight(const Polygon& lamp, const Plane& givenLampPlane, const Vec3& x,
+  const Vec3& givenNormal, double tolerance)
+  : origin(x)
+  , normal(givenNormal)
+  , ground{ givenNormal, glm::dot(givenNormal, x) }
+  , lampPlane(givenLampPlane)
+{
+  if (this->lampPlane.Distance(x) > tolerance)
+  {
+    this->shining = ClipToFront(lamp, this->ground, tolerance);
+  }
+  if (!this->shining.Empty())
+  {
+    this->scale = 1.0 / glm::length(Centroid(this->shining) - x);
+    this->target = Rescaled(this->shining, x, this->scale);
+  }
+}
+
 ExactDirectLight::ExactDirectLight(
   const Scene& scene, const FacetSet& facets, const OccluderScene& occluders)
   : Occluders(&occluders)
@@ -61,8 +104,8 @@ ExactDirectLight::ExactDirectLight(
       const Color& emission = scene.materials[facet.MaterialOf(side)].emission;
       if (facet.IsPolygonFront(side) && MaxChannel(emission) > 0.0)
       {
-        this->Lamps.push_back(
-          { side == Side::Front ? facet.shape : Reversed(facet.shape), emission, f });
+        const Polygon shape = side == Side::Front ? facet.shape : Reversed(facet.shape);
+        this->Lamps.push_back({ shape, SupportingPlane(shape), emission, f });
       }
     }
   }
@@ -84,41 +127,55 @@ Color ExactDirectLight::At(const Hit& hit, const Vec3& normal) const
 /// Integral of the cosine over what the point sees of the lamp, sr.
 double ExactDirectLight::SeenOf(const Lamp& lamp, const Hit& hit, const Vec3& normal) const
 {
-  const Vec3& x = hit.point;
   const double tolerance = this->Occluders->Tolerance();
-  const Plane lampPlane = SupportingPlane(lamp.shape);
-  if (lampPlane.Distance(x) <= tolerance)
+  const Sight sight(lamp.shape, lamp.plane, hit.point, normal, tolerance);
+  if (sight.target.Empty() || this->IsHiddenByOne(lamp, hit, sight))
   {
     return 0.0;
   }
-  const Plane ground{ normal, glm::dot(normal, x) };
-  const Polygon shining = ClipToFront(lamp.shape, ground, tolerance);
-  if (shining.Empty())
-  {
-    return 0.0;
-  }
-  const double scale = 1.0 / glm::length(Centroid(shining) - x);
-  const Polygon target = Rescaled(shining, x, scale);
   std::vector<Polygon> shadows;
-  for (const std::uint32_t f : this->Occluders->FacetsInRegion(Pyramid(x, shining, ground)))
+  const ConvexRegion between = Pyramid(hit.point, sight.shining, sight.ground);
+  for (const std::uint32_t f : this->Occluders->FacetsInRegion(between))
   {
-    if (f == hit.facet || f == lamp.facet)
+    const Polygon shadow = f == hit.facet || f == lamp.facet
+                             ? Polygon()
+                             : sight.ShadowCaster(this->Occluders->Shape(f), tolerance);
+    if (shadow.Empty())
     {
       continue;
     }
-    const Polygon above = ClipToFront(this->Occluders->Shape(f), ground, tolerance);
-    const Polygon between = ClipToFront(above, lampPlane, tolerance);
-    if (between.Empty())
-    {
-      continue;
-    }
-    shadows.push_back(Rescaled(between, x, scale));
-    if (PointToVisiblePolygon(Vec3(0.0), normal, target, { shadows.back() }) == 0.0)
+    shadows.push_back(shadow);
+    if (sight.SeenPast({ shadow }) == 0.0)
     {
       return 0.0;
     }
   }
-  return PointToVisiblePolygon(Vec3(0.0), normal, target, shadows);
+  return sight.SeenPast(shadows);
+}
+
+/// Whether one of the facets on the way to the middle of the lamp hides all of it: most lamps of
+/// many rooms are behind a wall, and a ray finds that sooner than all that stands between does.
+bool ExactDirectLight::IsHiddenByOne(const Lamp& lamp, const Hit& hit, const Sight& sight) const
+{
+  const Vec3 way = Centroid(sight.shining) - hit.point;
+  Hit at = hit;
+  for (double left = 1.0; left > 0.0;)
+  {
+    const auto next = this->Occluders->Intersect(at.point, way, at.facet);
+    if (!next || next->facet == lamp.facet || next->distance >= left)
+    {
+      return false;
+    }
+    const Polygon shadow =
+      sight.ShadowCaster(this->Occluders->Shape(next->facet), this->Occluders->Tolerance());
+    if (!shadow.Empty() && sight.SeenPast({ shadow }) == 0.0)
+    {
+      return true;
+    }
+    left -= next->distance;
+    at = *next;
+  }
+  return false;
 }
 
 } // namespace vantage

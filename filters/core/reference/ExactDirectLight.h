@@ -22,19 +22,23 @@ public:
   ExactDirectLight(const Scene& scene, const FacetSet& facets, const OccluderScene& occluders);
 
   /// Irradiance over pi at a point of a facet on the side of the given normal: times the albedo it
-  /// is the radiance reflected. O(emitters); exponential in the number of occluders whose shadows
-  /// overlap at the point, unless one of them hides the emitter alone.
+  /// is the radiance reflected. O(emitters), one ray each for those that one facet hides alone;
+  /// for the others exponential in the number of occluders whose shadows overlap at the point.
   Color At(const Hit& hit, const Vec3& normal) const;
 
 private:
   struct Lamp
   {
     Polygon shape; ///< counter-clockwise seen from where it shines
+    Plane plane;   ///< of the shape
     Color emission;
     std::uint32_t facet;
   };
 
+  struct Sight;
+
   double SeenOf(const Lamp& lamp, const Hit& hit, const Vec3& normal) const;
+  bool IsHiddenByOne(const Lamp& lamp, const Hit& hit, const Sight& sight) const;
 
   const OccluderScene* Occluders;
   std::vector<Lamp> Lamps;

@@ -63,6 +63,13 @@ public:
       });
   }
 
+  /// In all that is random; what is exact stays.
+  void TakeMoreRays(int times)
+  {
+    this->Settings.gatherRays *= times;
+    this->Settings.mapRays *= times;
+  }
+
   /// `progress` runs from 0 to 1.
   ReferenceHalves Render(const ReferenceProgress& progress) const
   {
@@ -194,13 +201,12 @@ ReferenceHalves MakeReferenceHalves(const Scene& scene, const Camera& camera,
 {
   constexpr int MoreRounds = 2;
   const ReferenceProgress progress = givenProgress ? givenProgress : [](double) {};
-  ReferenceSettings settings = givenSettings;
-  ReferenceHalves images = PixelGather(scene, camera, settings).Render(progress);
-  for (int round = 0; round < MoreRounds && images.Joined().noise > settings.noise; ++round)
+  PixelGather pixels(scene, camera, givenSettings);
+  ReferenceHalves images = pixels.Render(progress);
+  for (int round = 0; round < MoreRounds && images.Joined().noise > givenSettings.noise; ++round)
   {
-    settings.gatherRays *= 4;
-    settings.mapRays *= 4;
-    images = PixelGather(scene, camera, settings).Render(progress);
+    pixels.TakeMoreRays(4);
+    images = pixels.Render(progress);
   }
   return images;
 }
