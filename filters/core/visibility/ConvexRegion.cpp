@@ -19,6 +19,25 @@ bool IsInFront(const Polygon& p, const Plane& plane, double tolerance)
     p.begin(), p.end(), [&](const Vec3& v) { return plane.Distance(v) >= -tolerance; });
 }
 
+/// Smallest and largest signed distance of a polygon from a plane.
+struct Range
+{
+  double nearest, furthest;
+};
+
+Range RangeAlong(const Polygon& p, const Plane& plane)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  Range range{ Infinity, -Infinity };
+  for (const Vec3& v : p)
+  {
+    const double distance = plane.Distance(v);
+    range.nearest = std::min(range.nearest, distance);
+    range.furthest = std::max(range.furthest, distance);
+  }
+  return range;
+}
+
 /// The plane through an edge and a point, turned so that `inside` lies in front. Nothing when they
 /// are too close to one line to have a plane.
 std::optional<Plane> PlaneThrough(
@@ -124,16 +143,24 @@ std::optional<ConvexRegion> Shaft(const Polygon& a, const Polygon& b, double tol
 
 bool ReachesInto(const Polygon& polygon, const ConvexRegion& region, double tolerance)
 {
-  Polygon rest = polygon;
+  // Most polygons lie behind one of the planes, and most planes cut off nothing of the others.
   for (int k = 0; k < region.planeCount; ++k)
   {
-    rest = ClipToFront(rest, region.planes[k], tolerance);
-    if (rest.Empty())
+    if (RangeAlong(polygon, region.planes[k]).furthest <= tolerance)
     {
       return false;
     }
   }
-  return true;
+  Polygon rest = polygon;
+  for (int k = 0; k < region.planeCount && !rest.Empty(); ++k)
+  {
+    const Range range = RangeAlong(rest, region.planes[k]);
+    if (range.nearest < -tolerance || range.furthest <= tolerance)
+    {
+      rest = ClipToFront(rest, region.planes[k], tolerance);
+    }
+  }
+  return !rest.Empty();
 }
 
 } // namespace vantage
