@@ -199,6 +199,26 @@ TEST(ReferenceImage, AgreesWithPathTracing)
   EXPECT_LT(difference.relativeL1, 0.01);
 }
 
+/// Few rays into few cells are noisy, four times as many of both are less so, until it is enough.
+TEST(ReferenceImage, TakesMoreUntilItIsAsQuietAsAsked)
+{
+  const Scene scene = test::MakeLitBox();
+  const Camera camera = test::SquareCamera(scene, "inside");
+  test::ReferenceSettings settings;
+  settings.size = 16;
+  settings.gatherRays = 64;
+  settings.mapCells = 250;
+  settings.noise = 1.0;
+  const double first = test::MakeReference(scene, camera, settings).noise;
+  settings.noise = 0.7 * first;
+  const double second = test::MakeReference(scene, camera, settings).noise;
+  test::Record("noise at first", first);
+  test::Record("noise when less was asked", second);
+  EXPECT_LE(second, settings.noise);
+  settings.noise = 0.0;
+  EXPECT_LT(test::MakeReference(scene, camera, settings).noise, 0.7 * second);
+}
+
 TEST(ReferenceImage, ComesBackFromTheCache)
 {
   const std::filesystem::path folder =

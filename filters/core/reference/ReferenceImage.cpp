@@ -63,11 +63,12 @@ public:
       });
   }
 
-  /// In all that is random; what is exact stays.
-  void TakeMoreRays(int times)
+  /// Few cells are as much a cause of noise as few rays: each has one point, in light or in
+  /// shadow. What is exact stays.
+  void Refine(int times)
   {
     this->Settings.gatherRays *= times;
-    this->Settings.mapRays *= times;
+    this->Settings.mapCells *= times;
   }
 
   /// `progress` runs from 0 to 1.
@@ -205,7 +206,7 @@ ReferenceHalves MakeReferenceHalves(const Scene& scene, const Camera& camera,
   ReferenceHalves images = pixels.Render(progress);
   for (int round = 0; round < MoreRounds && images.Joined().noise > givenSettings.noise; ++round)
   {
-    pixels.TakeMoreRays(4);
+    pixels.Refine(4);
     images = pixels.Render(progress);
   }
   return images;

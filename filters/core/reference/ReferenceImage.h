@@ -21,7 +21,8 @@ struct ReferenceSettings
   int gatherRays = 8192; ///< a pixel, shared by the halves; best twice a power of two
   int mapCells = 64000;  ///< that would cover the scene, in each half
   int mapRays = 64;      ///< of each of them; best a power of two
-  double noise = 0.003;  ///< when it turns out larger, all rays are made four times as many, twice
+  double noise = 0.003;  ///< when it turns out larger, rays of the pixels and cells are made four
+                         ///< times as many, twice at most
 };
 
 /// Radiance at the centres of the pixels, of every stride-th one each way.
@@ -41,7 +42,7 @@ struct ReferenceHalves
 };
 
 /// Called from the calling thread with the part done, 0 .. 1; from 0 again where the noise asks for
-/// more rays. What it throws ends the work.
+/// more. What it throws ends the work.
 using ReferenceProgress = std::function<void(double)>;
 
 /// Direct light exactly, past all occluders (ExactDirectLight.h); indirect light by a gather into a
