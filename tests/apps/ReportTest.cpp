@@ -134,6 +134,7 @@ void ExpectWholePage(const std::string& html)
   EXPECT_EQ(CountOf(html, "<img"), 4 + 2 * Methods.size() + 1 + Methods.size() - 1);
   EXPECT_EQ(CountOf(html, "<figure>"), CountOf(html, "</figure>"));
   EXPECT_EQ(CountOf(html, "<section>"), CountOf(html, "</section>"));
+  EXPECT_EQ(CountOf(html, "<div class=\"scroll\">"), CountOf(html, "<table>") + 4);
   for (const char* phone : { "name=\"viewport\"", "max-width: 100%", "overflow-x: auto" })
   {
     EXPECT_NE(html.find(phone), std::string::npos) << phone;

@@ -21,16 +21,17 @@ h1 { font-size: 1.6rem; line-height: 1.2; margin-bottom: 0; }
 h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
 img { display: block; max-width: 100%; height: auto; background: #fff; }
 figure { margin: 1rem 0; }
-figcaption, caption, .subtitle { opacity: .8; font-size: .9rem; }
+figcaption, .subtitle { opacity: .8; font-size: .9rem; }
 .side { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(28rem, 100%), 1fr)); }
 .side figure { margin: 0; }
 .side img { width: 100%; image-rendering: pixelated; }
-.scroll { overflow-x: auto; margin: 1rem 0; }
-table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; padding-bottom: .3rem; }
-th, td { padding: .25rem .6rem; border-bottom: 1px solid GrayText; text-align: right;
+.scroll { overflow-x: auto; }
+.scroll img { min-width: 44rem; }
+table { border-spacing: 0; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .6rem; border-top: 1px solid GrayText; text-align: right;
   white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; }
+th { border-top: 0; }
+th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: Canvas; }
 summary { cursor: pointer; font-weight: bold; }
 )";
 
@@ -70,15 +71,22 @@ std::string DataUri(const std::string& path)
   return "data:image/png;base64," + text;
 }
 
-std::string Print(const PageFigure& figure)
+std::string Scrolling(const std::string& html)
 {
-  return "<figure><img src=\"" + DataUri(figure.path) + "\" alt=\"" + Escaped(figure.caption) +
-         "\">" + "<figcaption>" + Escaped(figure.caption) + "</figcaption></figure>\n";
+  return "<div class=\"scroll\">" + html + "</div>";
+}
+
+std::string Print(const PageFigure& figure, bool isChart)
+{
+  const std::string image =
+    "<img src=\"" + DataUri(figure.path) + "\" alt=\"" + Escaped(figure.caption) + "\">";
+  return "<figure>" + (isChart ? Scrolling(image) : image) + Element("figcaption", figure.caption) +
+         "</figure>\n";
 }
 
 std::string Print(const PageTable& table)
 {
-  std::string html = "<div class=\"scroll\"><table>\n" + Element("caption", table.caption);
+  std::string html = "<table>\n";
   for (std::size_t row = 0; row < table.cells.size(); ++row)
   {
     html += "<tr>";
@@ -88,7 +96,8 @@ std::string Print(const PageTable& table)
     }
     html += "</tr>\n";
   }
-  return html + "</table></div>\n";
+  return "<figure>" + Element("figcaption", table.caption) + Scrolling(html + "</table>") +
+         "</figure>\n";
 }
 
 std::string Print(const PageSection& section)
@@ -106,7 +115,7 @@ std::string Print(const PageSection& section)
   html += section.isSideBySide ? "<div class=\"side\">\n" : "";
   for (const PageFigure& figure : section.figures)
   {
-    html += Print(figure);
+    html += Print(figure, section.hasCharts);
   }
   html += section.isSideBySide ? "</div>\n" : "";
   return html + (section.isFolded ? "</details>\n" : "</section>\n");

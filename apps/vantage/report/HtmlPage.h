@@ -31,6 +31,7 @@ struct PageSection
   std::vector<PageTable> tables;
   std::vector<PageFigure> figures;
   bool isSideBySide = false; ///< figures, two in a row where there is room, enlarged
+  bool hasCharts = false;    ///< figures have text in them: they scroll where they would shrink
   bool isFolded = false;     ///< opened when it is asked for
 };
 

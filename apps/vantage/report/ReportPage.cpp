@@ -170,6 +170,7 @@ private:
   {
     PageSection section;
     section.heading = "Error against cost";
+    section.hasCharts = true;
     const std::vector<PageFigure> figures = { this->DrawChart(this->Best, CpuSecondsOf,
                                                 "cpu-seconds", "Error against processor time",
                                                 "Processor time of solution and picture [s]"),
