@@ -2,6 +2,7 @@
 #include "core/Error.h"
 #include "core/math/Sampling.h"
 #include "core/scene/Labyrinth.h"
+#include "core/visibility/OccluderScene.h"
 #include "io/Files.h"
 
 #include <gtest/gtest.h>
@@ -114,8 +115,39 @@ TEST(ObjFile, ScenesOfTheDataFolderAreClean)
 {
   std::vector<std::string> warnings;
   EXPECT_EQ(ReadObj(VANTAGE_DATA_DIR "/box.obj", &warnings).PolygonCount(), 12u);
+  EXPECT_EQ(ReadObj(VANTAGE_DATA_DIR "/office.obj", &warnings).PolygonCount(), 1483u);
   ExpectEqual(ReadObj(VANTAGE_DATA_DIR "/labyrinth.obj", &warnings), MakeLabyrinth());
   EXPECT_TRUE(warnings.empty());
+}
+
+/// Nothing looks out of it or sees a face from behind, however light bounces.
+TEST(ObjFile, TheOfficeIsClosedAndShowsItsFrontsOnly)
+{
+  const Scene scene = ReadObj(VANTAGE_DATA_DIR "/office.obj");
+  ASSERT_EQ(scene.cameras.size(), 3u);
+  const FacetSet facets = BuildFacets(scene);
+  EXPECT_EQ(facets.facets.size(), scene.PolygonCount());
+  const OccluderScene occluders(facets);
+  constexpr int Paths = 3000;
+  constexpr int Bounces = 8;
+  for (int path = 0; path < Paths; ++path)
+  {
+    RandomStream random(1, path);
+    const Camera& camera = scene.cameras[path % scene.cameras.size()];
+    Vec3 from = camera.eye;
+    Vec3 normal = glm::normalize(camera.lookAt - camera.eye);
+    std::uint32_t facet = None;
+    for (int bounce = 0; bounce < Bounces; ++bounce)
+    {
+      const Vec3 towards = Frame(normal).ToWorld(CosineHemisphere(random.Next2()));
+      const auto hit = occluders.Intersect(from, towards, facet);
+      ASSERT_TRUE(hit) << path;
+      ASSERT_EQ(hit->side, Side::Front) << path;
+      from = hit->point;
+      facet = hit->facet;
+      normal = UnitNormal(facets.facets[facet].shape);
+    }
+  }
 }
 
 TEST(ObjFile, ReadsWhatOtherProgramsWrite)
