@@ -3,9 +3,22 @@
 #include "core/view/PatchFrame.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vantage
 {
+
+namespace
+{
+
+/// In clippings of a part by a shadow: what measuring and cutting a part costs, and two hundred
+/// rays.
+constexpr int EffortOfMeasure = 8;
+constexpr int MostEffort = 2000;
+/// Of the lamp: what rounding leaves between shadows of neighbours.
+constexpr double LargestSliver = 1e-12;
+
+} // namespace
 
 LampCutter::LampCutter(const Polygon& lamp)
   : Kernel(lamp)
@@ -18,6 +31,7 @@ LampCutter::LampCutter(const Polygon& lamp)
   {
     this->Lamp.corners[this->Lamp.count++] = frame.InPlane(v);
   }
+  this->Sliver = LargestSliver * Area(this->Lamp);
 }
 
 std::uint32_t LampCutter::AddOccluder(const Polygon& shape)
@@ -64,11 +78,7 @@ std::optional<double> LampCutter::Seen(
       shadows.All.push_back(shadow);
     }
   }
-  if (shadows.All.size() > MostOverlapping)
-  {
-    return std::nullopt;
-  }
-  return std::max(this->Visible(this->Lamp, shadows.All, 0, x), 0.0);
+  return this->SeenPast(shadows, x);
 }
 
 /// The cone from x through the occluder, as lines in the plane of the lamp.
@@ -161,34 +171,90 @@ void LampCutter::CutAt(const Flat& whole, const std::array<double, MostCorners>&
   }
 }
 
-/// What is seen of a part of the lamp past the shadows from `first` on.
-double LampCutter::Visible(
-  const Flat& part, const std::vector<Shadow>& shadows, std::size_t first, const Vec2& x) const
+double LampCutter::Area(const Flat& part)
 {
-  Flat hidden;
-  Cover cover = Cover::None;
-  while (cover == Cover::None)
+  double twice = 0.0;
+  for (int k = 2; k < part.count; ++k)
   {
-    if (first == shadows.size())
+    const Vec2 u = part.corners[k - 1] - part.corners[0];
+    const Vec2 v = part.corners[k] - part.corners[0];
+    twice += u.x * v.y - u.y * v.x;
+  }
+  return 0.5 * std::abs(twice);
+}
+
+/// What a shadow leaves of a part that it reaches into, in convex parts: one outside of each side.
+void LampCutter::AppendOutside(
+  const Flat& part, const Shadow& shadow, std::vector<Flat>& parts) const
+{
+  Flat rest = part;
+  for (int s = 0; s < shadow.count; ++s)
+  {
+    const Line& line = shadow.sides[s];
+    std::array<double, MostCorners> heights;
+    std::array<double, MostCorners> depths;
+    int inside = 0;
+    for (int k = 0; k < rest.count; ++k)
     {
-      return this->Measure(part, x);
+      heights[k] = glm::dot(line.normal, rest.corners[k]) + line.offset;
+      depths[k] = -heights[k];
+      inside += heights[k] > 0.0 ? 1 : 0;
     }
-    cover = Clip(part, shadows[first++], hidden);
+    if (inside == 0 || inside == rest.count)
+    {
+      continue; // rounding alone lets a side miss what is left
+    }
+    Flat outside;
+    CutAt(rest, depths, outside);
+    if (Area(outside) > this->Sliver)
+    {
+      parts.push_back(outside);
+    }
+    const Flat whole = rest;
+    CutAt(whole, heights, rest);
   }
-  if (cover == Cover::Whole)
+}
+
+std::optional<double> LampCutter::SeenPast(Shadows& shadows, const Vec2& x) const
+{
+  double seen = this->Kernel.At(x);
+  int effort = 0;
+  shadows.Parts.assign(1, this->Lamp);
+  for (const Shadow& shadow : shadows.All)
   {
-    return 0.0;
+    shadows.Rest.clear();
+    for (const Flat& part : shadows.Parts)
+    {
+      Flat hidden;
+      const Cover cover = Clip(part, shadow, hidden);
+      if (cover == Cover::None)
+      {
+        shadows.Rest.push_back(part);
+        continue;
+      }
+      seen -= this->Measure(cover == Cover::Whole ? part : hidden, x);
+      effort += EffortOfMeasure;
+      if (cover == Cover::Part)
+      {
+        this->AppendOutside(part, shadow, shadows.Rest);
+      }
+    }
+    effort += static_cast<int>(shadows.Parts.size());
+    shadows.Parts.swap(shadows.Rest);
+    if (shadows.Parts.empty())
+    {
+      return 0.0;
+    }
+    if (effort > MostEffort)
+    {
+      return std::nullopt;
+    }
   }
-  const double past = this->Visible(part, shadows, first, x);
-  return past > 0.0 ? past - this->Visible(hidden, shadows, first, x) : 0.0;
+  return std::max(seen, 0.0);
 }
 
 double LampCutter::Measure(const Flat& part, const Vec2& x) const
 {
-  if (&part == &this->Lamp)
-  {
-    return this->Kernel.At(x);
-  }
   Polygon shape;
   for (int i = 0; i < part.count; ++i)
   {

@@ -14,15 +14,12 @@ namespace vantage
 {
 
 /// The same as PointToVisiblePolygon(), for the points of the plane z = 0 with normal +z, in a
-/// tenth of the time: the shadow that an occluder casts from the point onto the lamp is convex, so
-/// what is seen is the lamp less its shadows plus what lies in two of them, and so forth, which
-/// takes one clipping for each set of shadows that overlap.
+/// tenth of the time: the shadow that an occluder casts from the point onto the lamp is convex.
+/// Each shadow in turn takes its part of what is left of the lamp, and leaves the rest in convex
+/// parts: few for any number of pieces that one surface was cut into, or of faces of one body.
 class LampCutter
 {
 public:
-  /// Shadows of more occluders than these, overlapping on the lamp, are not cut.
-  static constexpr std::size_t MostOverlapping = 10;
-
   /// \param lamp above the plane, with an area
   explicit LampCutter(const Polygon& lamp);
 
@@ -37,7 +34,7 @@ public:
   class Shadows;
 
   /// What x sees past some of the occluders, in sr. \pre x is in front of the lamp. Nothing where
-  /// more than MostOverlapping shadows fall on a part of the lamp each.
+  /// the shadows leave so many parts that a few hundred rays are quicker.
   std::optional<double> Seen(
     const Vec2& x, const std::vector<std::uint32_t>& occluders, Shadows& shadows) const;
 
@@ -82,13 +79,15 @@ private:
   Cover Cast(const Occluder& occluder, const Vec3& x, Shadow& shadow) const;
   static Cover Clip(const Flat& part, const Shadow& shadow, Flat& inside);
   static void CutAt(const Flat& whole, const std::array<double, MostCorners>& heights, Flat& cut);
-  double Visible(
-    const Flat& part, const std::vector<Shadow>& shadows, std::size_t first, const Vec2& x) const;
+  static double Area(const Flat& part);
+  void AppendOutside(const Flat& part, const Shadow& shadow, std::vector<Flat>& parts) const;
+  std::optional<double> SeenPast(Shadows& shadows, const Vec2& x) const;
   double Measure(const Flat& part, const Vec2& x) const;
 
   LampKernel Kernel;                      ///< of all of the lamp
   Vec3 Origin{ 0.0 }, A{ 0.0 }, B{ 0.0 }; ///< of the plane of the lamp
   Flat Lamp;
+  double Sliver = 0.0; ///< the area of a part that is not worth keeping
   std::vector<Occluder> Occluders;
 };
 
@@ -102,6 +101,8 @@ public:
 private:
   friend class LampCutter;
   std::vector<Shadow> All;
+  std::vector<Flat> Parts; ///< that are left of the lamp
+  std::vector<Flat> Rest;  ///< of these, past one more shadow
 };
 
 } // namespace vantage
