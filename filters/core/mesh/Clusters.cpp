@@ -359,13 +359,14 @@ void ClusterMaker::Reorder(Range& range, NodeId id)
 
 bool ClusterMaker::HasFewCutSurfaces(const Range& range, NodeId id)
 {
+  const std::ptrdiff_t most = std::min(MostSurfaces, range.Size() / LeastPatches);
   std::ptrdiff_t surfaces = 0;
-  for (const Item* item = range.first; item != range.last && surfaces <= MostSurfaces; ++item)
+  for (const Item* item = range.first; item != range.last && surfaces <= most; ++item)
   {
     surfaces += this->LastSeen[item->surface] == id ? 0 : 1;
     this->LastSeen[item->surface] = id;
   }
-  return surfaces <= MostSurfaces && range.Size() >= LeastPatches * surfaces;
+  return surfaces <= most;
 }
 
 void ClusterMaker::SortBySurface(const Range& range) const
