@@ -202,7 +202,7 @@ void LampCutter::AppendOutside(
     }
     if (inside == 0 || inside == rest.count)
     {
-      continue; // rounding alone lets a side miss what is left
+      continue; // this side does not cut it: all is inside, or outside by rounding alone
     }
     Flat outside;
     CutAt(rest, depths, outside);
