@@ -30,7 +30,6 @@ HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSur
     if (const auto hit = occluders.Intersect(point, direction, facet))
     {
       const LitRadiance radiance = surfaces.Radiance(*hit, i, Hash(seed, 1), estimate.shadowRays);
-      estimate.indirect += radiance.indirect * (Pi / rays);
       sum += radiance.direct + radiance.indirect;
     }
     if (i + 1 == half)

@@ -14,7 +14,6 @@ namespace vantage
 struct HemisphereEstimate
 {
   Color irradiance{ 0.0 }; ///< W m^-2
-  Color indirect{ 0.0 };   ///< its part that came from more than one reflection
   double noise = 0.0;      ///< guess at the standard error, mean of channels; see below
   std::uint64_t shadowRays = 0;
 };
@@ -23,9 +22,12 @@ struct HemisphereEstimate
 /// directions of a scrambled Sobol sequence, distributed by the cosine. What the rays hit does not
 /// emit here, since lamps are counted one by one. A ray that meets nothing or an inactive side
 /// brings nothing. The two halves of the sequence are good estimates by themselves; the noise is
-/// guessed from their difference, so it means something only in the mean over many points. \param
-/// patch that the point lies on, active \param normal of the patch, unit \param rays >= 1; a power
-/// of two is spread best Unbiased over the seeds. O(rays log n).
+/// guessed from their difference, so it means something only in the mean over many points.
+/// Unbiased over the seeds. O(rays log n).
+///
+/// \param patch that the point lies on, active
+/// \param normal of the patch, unit
+/// \param rays >= 1; a power of two is spread best
 HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
   PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
 

@@ -31,10 +31,14 @@ constexpr std::uint32_t MostRays = 4096;
 /// Rays that find what counts, at least and at most.
 constexpr double LeastRaysAround = 2048.0;
 constexpr double MostRaysAround = 65536.0;
-/// From what these meet, the looks together take so many rays that the error of their mean is a
-/// part of the one that is asked for: the relative noise of a ray over that error, squared.
+constexpr double MostRaysInAll = 262144.0;
+/// From what these meet, the looks together take so many rays that the noise of their mean is a
+/// part of the error that is asked for: the relative noise of a ray over that error, squared.
 constexpr double NoiseOfLook = 1.0;
+/// Noise of the correction over the error that is asked for, from which more looks are made.
+constexpr double MostNoiseOfCorrection = 1.5;
 constexpr std::uint32_t RaysOfHit = 4;
+constexpr std::uint32_t MostBatches = 4;
 /// Part of the error that may come from the interpolation: to start with, and in the end, if the
 /// estimate of the whole is not met before.
 constexpr double ShareOfModel = 0.4;
@@ -114,6 +118,8 @@ private:
       std::size_t(0), this->Surfaces.size(), [&](std::size_t s) { action(this->Surfaces[s]); });
   }
 
+  std::vector<Hit> MeetAround(
+    std::uint32_t count, std::uint32_t batch, IndirectReport& report) const;
   void LookAround(IndirectReport& report);
   void Measure(IndirectReport& report);
   std::uint64_t MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const;
@@ -154,22 +160,22 @@ std::vector<std::uint32_t> DrawSpots(const std::vector<IndirectSpot>& spots, std
   return drawn;
 }
 
-/// Finds what counts for the spots, by rays from some of them, and betters what is known of that.
-void IndirectGatherer::LookAround(IndirectReport& report)
+/// What rays from `count` of the spots meet. `batch` tells one such set from another.
+std::vector<Hit> IndirectGatherer::MeetAround(
+  std::uint32_t count, std::uint32_t batch, IndirectReport& report) const
 {
-  const double looks = std::pow(NoiseOfLook / this->Settings.error, 2);
-  const std::vector<std::uint32_t> drawn = DrawSpots(*this->Spots,
-    static_cast<std::uint32_t>(std::clamp(looks / RaysOfHit, LeastRaysAround, MostRaysAround)));
+  const std::vector<std::uint32_t> drawn = DrawSpots(*this->Spots, count);
   std::vector<std::optional<Hit>> met(drawn.size());
   tbb::parallel_for(std::size_t(0), drawn.size(),
     [&](std::size_t k)
     {
       const IndirectSpot& spot = (*this->Spots)[drawn[k]];
       const Frame frame(NormalOf(*this->Occluders, spot.patch));
-      const Vec2 u = RandomStream(this->Settings.seed, k, 1).Next2();
+      const Vec2 u = RandomStream(this->Settings.seed, k, batch).Next2();
       met[k] =
         this->Occluders->Intersect(spot.point, frame.ToWorld(CosineHemisphere(u)), spot.patch / 2);
     });
+  report.gatherRays += drawn.size();
   std::vector<Hit> hits;
   for (const std::optional<Hit>& hit : met)
   {
@@ -178,10 +184,29 @@ void IndirectGatherer::LookAround(IndirectReport& report)
       hits.push_back(*hit);
     }
   }
-  const SecondLook look = LookAgain(
-    *this->Occluders, *this->Solution, hits, RaysOfHit, Hash(this->Settings.seed, 2), this->Lit);
-  report.gatherRays += drawn.size() + look.rays;
-  report.shadowRays += look.shadowRays;
+  return hits;
+}
+
+/// Finds what counts for the spots, by rays from some of them, and betters what is known of that.
+/// More are sent where the first ones say that they are not enough: where light comes through a
+/// slit.
+void IndirectGatherer::LookAround(IndirectReport& report)
+{
+  const double looks = std::pow(NoiseOfLook / this->Settings.error, 2);
+  double wanted = std::clamp(looks / RaysOfHit, LeastRaysAround, MostRaysAround);
+  SecondLook look(*this->Occluders, *this->Solution, RaysOfHit, Hash(this->Settings.seed, 2));
+  double rays = 0.0;
+  for (std::uint32_t batch = 1; rays < wanted && batch <= MostBatches; ++batch)
+  {
+    const auto missing = static_cast<std::uint32_t>(wanted - rays);
+    look.From(this->MeetAround(missing, batch, report), this->Lit);
+    rays += missing;
+    const double excess = look.Noise() / (MostNoiseOfCorrection * this->Settings.error);
+    wanted = std::min(rays * excess * excess, MostRaysInAll);
+  }
+  look.Apply(this->Lit);
+  report.gatherRays += look.Rays();
+  report.shadowRays += look.ShadowRays();
 }
 
 /// Gathers at the points of all cells that have not been measured.

@@ -92,7 +92,7 @@ LitRadiance LitSurfaces::Radiance(
   const RadianceSolution::Element& element = solution.elements[leaf];
   if (element.firstLamp == element.lastLamp)
   {
-    return { Color(0.0), this->OfElements[leaf] };
+    return { Color(0.0), this->OfElements[leaf], leaf };
   }
   const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, patch) };
   Color irradiance(0.0);
@@ -110,7 +110,7 @@ LitRadiance LitSurfaces::Radiance(
         this->Factor(lamp, point, index, Hash(seed, lamp.facet), shadowRays) * lamp.emission;
     }
   }
-  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf] };
+  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf], leaf };
 }
 
 /// Irradiance that the lamp would give were it a point and nothing in the way, never nought.

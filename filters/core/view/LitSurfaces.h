@@ -15,8 +15,9 @@ namespace vantage
 /// Radiance of a surface that it reflects, W m^-2 sr^-1.
 struct LitRadiance
 {
-  Color direct{ 0.0 };   ///< of light straight from named lamps
-  Color indirect{ 0.0 }; ///< of all other light
+  Color direct{ 0.0 };                     ///< of light straight from named lamps
+  Color indirect{ 0.0 };                   ///< of all other light
+  RadianceSolution::NodeIndex leaf = None; ///< the element; None on an inactive side
 };
 
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
@@ -44,13 +45,6 @@ public:
   void SetIndirect(RadianceSolution::NodeIndex leaf, const Color& radiance)
   {
     this->OfElements[leaf] = radiance;
-  }
-  void ScaleIndirect(double factor)
-  {
-    for (Color& radiance : this->OfElements)
-    {
-      radiance *= factor;
-    }
   }
 
 private:

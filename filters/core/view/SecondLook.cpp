@@ -1,11 +1,13 @@
 #include "core/view/SecondLook.h"
 
 #include "core/math/Sampling.h"
-#include "core/view/HemisphereGather.h"
+#include "core/math/ScrambledSobol.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace vantage
 {
@@ -15,48 +17,13 @@ namespace
 
 /// The solution counts as much as this number of rays: it is smooth, and they are noisy.
 constexpr double RaysOfSolution = 4.0;
+/// Hits of the surroundings of an element, after which it is one that is met often.
+constexpr std::uint32_t Often = 2;
 /// Looks that can tell of their own noise.
 constexpr std::size_t LeastLooks = 64;
 /// Bounds of the correction: what is further off is no matter of means.
 constexpr double SmallestCorrection = 0.5;
 constexpr double LargestCorrection = 2.0;
-
-/// Radiance at a point that was met, W m^-2 sr^-1.
-struct Look
-{
-  Color direct{ 0.0 };   ///< reflected of light that lamps gave to the surfaces around
-  Color indirect{ 0.0 }; ///< reflected of their indirect light
-  Color solution{ 0.0 }; ///< what the element has for both
-  RadianceSolution::NodeIndex leaf = None;
-  std::uint64_t shadowRays = 0;
-};
-
-/// s with sum (D + s R I - s I) = 0, less its noise.
-double CorrectionOf(const std::vector<Look>& looks)
-{
-  double direct = 0.0;
-  double rest = 0.0;
-  for (const Look& look : looks)
-  {
-    direct += Mean(look.direct);
-    rest += Mean(look.solution - look.indirect);
-  }
-  if (looks.size() < LeastLooks || !(direct > 0.0 && rest > 0.0))
-  {
-    return 1.0;
-  }
-  const double factor = direct / rest;
-  double variance = 0.0;
-  for (const Look& look : looks)
-  {
-    const double difference = Mean(look.direct) - factor * Mean(look.solution - look.indirect);
-    variance += difference * difference;
-  }
-  variance /= rest * rest;
-  const double square = (factor - 1.0) * (factor - 1.0);
-  const double certain = square > 0.0 ? std::max(0.0, 1.0 - variance / square) : 0.0;
-  return std::clamp(1.0 + certain * (factor - 1.0), SmallestCorrection, LargestCorrection);
-}
 
 /// Sums over the rays from one element.
 struct Sum
@@ -65,50 +32,171 @@ struct Sum
   double rays = 0.0;
 };
 
+/// Where an element lies: two levels up, or as far as there are.
+std::vector<RadianceSolution::NodeIndex> RegionsOf(const RadianceSolution& solution)
+{
+  const auto count = static_cast<RadianceSolution::NodeIndex>(solution.elements.size());
+  std::vector<RadianceSolution::NodeIndex> parents(count);
+  std::iota(parents.begin(), parents.end(), 0u);
+  for (RadianceSolution::NodeIndex id = 0; id < count; ++id)
+  {
+    const RadianceSolution::Element& element = solution.elements[id];
+    for (std::uint8_t child = 0; child < element.childCount; ++child)
+    {
+      parents[element.firstChild + child] = id;
+    }
+  }
+  std::vector<RadianceSolution::NodeIndex> regions;
+  regions.reserve(count);
+  for (const RadianceSolution::NodeIndex parent : parents)
+  {
+    regions.push_back(parents[parent]);
+  }
+  return regions;
+}
+
 } // namespace
 
-SecondLook LookAgain(const OccluderScene& occluders, const RadianceSolution& solution,
-  const std::vector<Hit>& hits, std::uint32_t raysOfHit, std::uint64_t seed, LitSurfaces& surfaces)
+SecondLook::SecondLook(const OccluderScene& occluders, const RadianceSolution& solution,
+  std::uint32_t raysOfHit, std::uint64_t seed)
+  : Occluders(&occluders)
+  , Solution(&solution)
+  , RaysOfHit(raysOfHit)
+  , Seed(seed)
 {
-  std::vector<Look> looks(hits.size());
-  tbb::parallel_for(std::size_t(0), hits.size(),
-    [&](std::size_t k)
-    {
-      const Hit& hit = hits[k];
-      const PatchId patch = hit.Patch();
-      const HemisphereEstimate seen = GatherHemisphere(occluders, surfaces, patch, hit.point,
-        NormalOf(occluders, patch), raysOfHit, Hash(seed, k));
-      Look& look = looks[k];
-      look.leaf = solution.LeafAt(patch, hit.point);
-      const RadianceSolution::Element& element = solution.elements[look.leaf];
-      const Color brdf = solution.albedo[patch] / Pi;
-      look.direct = brdf * (seen.irradiance - seen.indirect + element.unnamedDirect);
-      look.indirect = brdf * seen.indirect;
-      look.solution = element.indirect;
-      look.shadowRays = seen.shadowRays;
-    });
-  SecondLook result;
-  result.correction = CorrectionOf(looks);
-  surfaces.ScaleIndirect(result.correction);
-  std::vector<Sum> sums(solution.elements.size());
-  for (const Look& look : looks)
+}
+
+void SecondLook::FindMet(const std::vector<Hit>& hits)
+{
+  const std::vector<RadianceSolution::NodeIndex> regions = RegionsOf(*this->Solution);
+  std::vector<std::uint32_t> times(regions.size(), 0);
+  for (const Hit& hit : hits)
   {
-    sums[look.leaf].radiance +=
-      (look.direct + result.correction * look.indirect) * double(raysOfHit);
-    sums[look.leaf].rays += raysOfHit;
-    result.rays += raysOfHit;
-    result.shadowRays += look.shadowRays;
+    ++times[regions[this->Solution->LeafAt(hit.Patch(), hit.point)]];
+  }
+  for (const RadianceSolution::NodeIndex region : regions)
+  {
+    this->IsMetOften.push_back(times[region] >= Often);
+  }
+}
+
+void SecondLook::From(const std::vector<Hit>& hits, const LitSurfaces& surfaces)
+{
+  if (this->Looks.empty())
+  {
+    this->FindMet(hits);
+  }
+  const std::size_t first = this->Looks.size();
+  this->Looks.resize(first + hits.size());
+  tbb::parallel_for(std::size_t(0), hits.size(),
+    [&](std::size_t k) { this->Looks[first + k] = this->From(hits[k], first + k, surfaces); });
+}
+
+SecondLook::Look SecondLook::From(
+  const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const
+{
+  const PatchId patch = hit.Patch();
+  const Frame frame(NormalOf(*this->Occluders, patch));
+  const std::uint64_t seed = Hash(this->Seed, index);
+  const Color reflectance = this->Solution->albedo[patch];
+  Look look;
+  look.leaf = this->Solution->LeafAt(patch, hit.point);
+  const RadianceSolution::Element& element = this->Solution->elements[look.leaf];
+  look.fixed = reflectance / Pi * element.unnamedDirect;
+  look.solution = element.indirect;
+  for (std::uint32_t i = 0; i < this->RaysOfHit; ++i)
+  {
+    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
+    if (const auto seen = this->Occluders->Intersect(hit.point, direction, patch / 2))
+    {
+      const LitRadiance radiance = surfaces.Radiance(*seen, i, Hash(seed, 1), look.shadowRays);
+      const bool isMet = radiance.leaf != None && this->IsMetOften[radiance.leaf];
+      const Color part = reflectance / static_cast<double>(this->RaysOfHit);
+      look.fixed += part * radiance.direct;
+      (isMet ? look.ofMet : look.fixed) += part * radiance.indirect;
+    }
+  }
+  return look;
+}
+
+/// From sum (D + s R I - s I) = 0 over the points on elements that are met often.
+double SecondLook::Factor() const
+{
+  double fixed = 0.0;
+  double own = 0.0;
+  for (const Look& look : this->Looks)
+  {
+    if (this->IsMetOften[look.leaf])
+    {
+      fixed += Mean(look.fixed);
+      own += Mean(look.solution - look.ofMet);
+    }
+  }
+  const bool tells = this->Looks.size() >= LeastLooks && fixed > 0.0 && own > 0.0;
+  return tells ? fixed / own : 1.0;
+}
+
+double SecondLook::Noise() const
+{
+  if (this->Looks.size() < LeastLooks)
+  {
+    return 0.0;
+  }
+  const double factor = this->Factor();
+  double variance = 0.0;
+  double sum = 0.0;
+  for (const Look& look : this->Looks)
+  {
+    if (this->IsMetOften[look.leaf])
+    {
+      const double own = Mean(look.solution - look.ofMet);
+      const double difference = Mean(look.fixed) - factor * own;
+      variance += difference * difference;
+      sum += own;
+    }
+  }
+  return sum > 0.0 ? std::sqrt(variance) / sum : 0.0;
+}
+
+double SecondLook::Correction() const
+{
+  const double factor = this->Factor();
+  const double off = std::abs(factor - 1.0);
+  const double noise = this->Noise();
+  const double certain = off > noise ? 1.0 - (noise / off) * (noise / off) : 0.0;
+  return std::clamp(1.0 + certain * (factor - 1.0), SmallestCorrection, LargestCorrection);
+}
+
+void SecondLook::Apply(LitSurfaces& surfaces) const
+{
+  const double correction = this->Correction();
+  std::vector<Sum> sums(this->Solution->elements.size());
+  for (const Look& look : this->Looks)
+  {
+    Sum& sum = sums[look.leaf];
+    sum.radiance += (look.fixed + correction * look.ofMet) * double(this->RaysOfHit);
+    sum.rays += this->RaysOfHit;
   }
   for (RadianceSolution::NodeIndex leaf = 0; leaf < sums.size(); ++leaf)
   {
     const Sum& sum = sums[leaf];
     if (sum.rays > 0.0)
     {
-      surfaces.SetIndirect(leaf,
-        (sum.radiance + RaysOfSolution * surfaces.Indirect(leaf)) / (sum.rays + RaysOfSolution));
+      const Color known = (this->IsMetOften[leaf] ? correction : 1.0) * surfaces.Indirect(leaf);
+      surfaces.SetIndirect(
+        leaf, (sum.radiance + RaysOfSolution * known) / (sum.rays + RaysOfSolution));
     }
   }
-  return result;
+}
+
+std::uint64_t SecondLook::ShadowRays() const
+{
+  std::uint64_t sum = 0;
+  for (const Look& look : this->Looks)
+  {
+    sum += look.shadowRays;
+  }
+  return sum;
 }
 
 } // namespace vantage

@@ -11,28 +11,65 @@
 namespace vantage
 {
 
-/// What a look has cost, and what it said.
-struct SecondLook
-{
-  std::uint64_t rays = 0;
-  std::uint64_t shadowRays = 0;
-  /// Indirect radiance, over that of the solution: what agrees with itself in the mean.
-  double correction = 1.0;
-};
-
 /// Betters the indirect light of the elements that a gather meets, by rays: from each point that
-/// was met, `raysOfHit` look at the lit surfaces around. Elements take light as means over links,
-/// which is too little where both are uneven. So,
+/// was met, some look at the lit surfaces around. Elements take light as means over links, which is
+/// too little where both are uneven. So,
 ///
 /// - What an element has is replaced by what the rays from its points found; only what those
 ///   surfaces have got by further reflections comes from elements. Where few hits tell of an
 ///   element, the solution keeps its say. Elements that nothing met stay.
-/// - The indirect light I of the solution should be D + R I, what is reflected of the lamps' and of
-///   itself. In the mean over all rays that says by which factor s it errs, s I = D + R s I; all
-///   indirect light is multiplied by that, as far as it is more than noise.
+/// - The indirect light of the solution should be what is reflected of the lamps' and of itself.
+/// Let
+///   it be I on the elements that were met often, and D reflected there of all other light: in the
+///   mean over all rays, s I = D + R s I says by which factor s it errs. So it is multiplied by
+///   that, as far as it is more than noise. What is further away, as another room behind a slit,
+///   may be right all the same.
 ///
-/// Parallel over hits, the same for any number of threads.
-SecondLook LookAgain(const OccluderScene& occluders, const RadianceSolution& solution,
-  const std::vector<Hit>& hits, std::uint32_t raysOfHit, std::uint64_t seed, LitSurfaces& surfaces);
+/// Refers to occluders and solution, which must outlive it.
+class SecondLook
+{
+public:
+  SecondLook(const OccluderScene& occluders, const RadianceSolution& solution,
+    std::uint32_t raysOfHit, std::uint64_t seed);
+
+  /// Looks around from points, at surfaces that were not bettered yet. May be called again: which
+  /// elements are met often, the first call says. Parallel over hits, the same for any number of
+  /// threads.
+  void From(const std::vector<Hit>& hits, const LitSurfaces& surfaces);
+
+  /// s as the looks say it; 1 when too few were made to tell.
+  double Factor() const;
+  /// Standard error of that: large where most of the light comes from small spots, which few rays
+  /// find. 0 when too few looks were made to tell.
+  double Noise() const;
+  /// The factor as far as it is not noise, in [1/2, 2].
+  double Correction() const;
+  void Apply(LitSurfaces& surfaces) const;
+
+  std::uint64_t Rays() const { return this->Looks.size() * this->RaysOfHit; }
+  std::uint64_t ShadowRays() const;
+
+private:
+  /// Radiance at a point that was met, W m^-2 sr^-1.
+  struct Look
+  {
+    Color fixed{ 0.0 };    ///< reflected of all light but that of elements that are met often
+    Color ofMet{ 0.0 };    ///< reflected of their indirect light
+    Color solution{ 0.0 }; ///< what the element has for both
+    RadianceSolution::NodeIndex leaf = None;
+    std::uint64_t shadowRays = 0;
+  };
+
+  /// Elements around which at least a few of the hits are.
+  void FindMet(const std::vector<Hit>& hits);
+  Look From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const;
+
+  const OccluderScene* Occluders;
+  const RadianceSolution* Solution;
+  std::uint32_t RaysOfHit;
+  std::uint64_t Seed;
+  std::vector<Look> Looks;
+  std::vector<bool> IsMetOften; ///< of each element
+};
 
 } // namespace vantage

@@ -110,7 +110,9 @@ Image BruteForce(const GatherStage& stage, const Camera& camera, int size)
     }
   }
   LitSurfaces lit(stage.occluders, stage.solution);
-  LookAgain(stage.occluders, stage.solution, hits, 16, 79, lit);
+  SecondLook look(stage.occluders, stage.solution, 16, 79);
+  look.From(hits, lit);
+  look.Apply(lit);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const PatchId patch = points[i].patch;
