@@ -33,7 +33,7 @@ struct SolverSettings
   RefinementSettings refinement; ///< goal-oriented: minimumElementSize and maximumLevel only
   Accuracy accuracy = Accuracy::Default; ///< of form factors; not of goal-oriented
   std::uint32_t visibilityRays = 16;     ///< a pair that is partly visible, 1 .. 1024
-  std::uint32_t viewRays = 65536;        ///< cast through the image for the view importance, >= 1
+  std::uint32_t viewRays = 16384;        ///< cast through the image for the view importance, >= 1
   bool initialPhase = true; ///< methods without importance: direct light of all emitters
                             ///< first, subdivided at shadow boundaries
   bool importance = true;   ///< goal-oriented: false refines for all surfaces alike

@@ -11,9 +11,15 @@ namespace
 
 /// Some ten are enough, unless rows cannot be closed within the bounds of the factors.
 constexpr int MostIterations = 24;
-/// Of the logarithm of what is missing. As the other ends move as well, half of it would be right
-/// where all of them lack the same; where every second one has too much, less is left of a step.
-constexpr double Step = 0.75;
+/// Three quarters of the way to a factor, in its logarithm. As the other ends move as well, half of
+/// it would be right where all of them lack the same; where every second one has too much, less is
+/// left of a step.
+double Step(double factor)
+{
+  const double half = std::sqrt(factor);
+  return half * std::sqrt(half);
+}
+
 constexpr double Tolerance = 1e-5;
 constexpr double SmallestFactor = 0.02;
 constexpr double LargestFactor = 4.0;
@@ -124,8 +130,7 @@ void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector
       const double target = std::clamp(raw[id], range.least, range.most);
       const double largest = node.IsUnprobed() ? 1.0 : LargestFactor;
       const double needed = target / (closure[id] * sums[id]);
-      const double factor =
-        std::clamp(closure[id] * std::pow(needed, Step), SmallestFactor, largest);
+      const double factor = std::clamp(closure[id] * Step(needed), SmallestFactor, largest);
       change = std::max(change, std::abs(factor - closure[id]));
       closure[id] = factor;
     }

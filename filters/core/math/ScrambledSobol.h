@@ -21,17 +21,21 @@ inline std::uint32_t ReverseBits(std::uint32_t x)
   return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-/// Owen's nested uniform scrambling of a binary fraction by a hash in which a bit depends on the
-/// higher bits only (Laine, Karras 2011; constants of Vegdahl 2021).
-inline std::uint32_t OwenScramble(std::uint32_t x, std::uint32_t seed)
+/// A hash in which a bit depends on the lower bits only (Laine, Karras 2011; constants of Vegdahl
+/// 2021).
+inline std::uint32_t HashUpwards(std::uint32_t x, std::uint32_t seed)
 {
-  x = ReverseBits(x);
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
   x ^= x * 0x05526c56u;
-  x ^= x * 0x53a22864u;
-  return ReverseBits(x);
+  return x ^ (x * 0x53a22864u);
+}
+
+/// Owen's nested uniform scrambling of a binary fraction.
+inline std::uint32_t OwenScramble(std::uint32_t x, std::uint32_t seed)
+{
+  return ReverseBits(HashUpwards(ReverseBits(x), seed));
 }
 
 /// The second dimension of Sobol's sequence, its first digit in bit 0. Its matrix is Pascal's
@@ -54,9 +58,10 @@ inline Vec2 ScrambledSobol(std::uint32_t index, std::uint64_t seed)
   const auto low = static_cast<std::uint32_t>(seed);
   const auto high = static_cast<std::uint32_t>(seed >> 32);
   const std::uint32_t shuffled = OwenScramble(index, low);
-  const std::uint32_t x = OwenScramble(ReverseBits(shuffled), high);
+  // Both coordinates have their first digit in bit 0, as scrambling wants them.
+  const std::uint32_t x = ReverseBits(HashUpwards(shuffled, high));
   const std::uint32_t y =
-    OwenScramble(ReverseBits(SecondOfSobol(shuffled)), low ^ (high * 0x9e3779b9u));
+    ReverseBits(HashUpwards(SecondOfSobol(shuffled), low ^ (high * 0x9e3779b9u)));
   return { x * 0x1.0p-32, y * 0x1.0p-32 };
 }
 

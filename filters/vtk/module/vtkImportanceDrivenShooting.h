@@ -233,7 +233,7 @@ public:
   ///@}
 
   ///@{
-  /// Rays cast through the image to find what the eye sees, >= 1. Default: 65536.
+  /// Rays cast through the image to find what the eye sees, >= 1. Default: 16384.
   vtkSetMacro(ViewRays, unsigned int);
   vtkGetMacro(ViewRays, unsigned int);
   ///@}
