@@ -13,7 +13,7 @@ struct Box
 {
   Vec3 low, high;
 
-  explicit Box(const Polygon& p)
+  explicit Box(PolygonView p)
     : low(p[0])
     , high(p[0])
   {

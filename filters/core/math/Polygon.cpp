@@ -6,7 +6,7 @@
 namespace vantage
 {
 
-Vec3 AreaNormal(const Polygon& p)
+Vec3 AreaNormal(PolygonView p)
 {
   Vec3 sum(0.0);
   for (int i = 2; i < p.Size(); ++i)
@@ -16,19 +16,19 @@ Vec3 AreaNormal(const Polygon& p)
   return 0.5 * sum;
 }
 
-double Area(const Polygon& p)
+double Area(PolygonView p)
 {
   return glm::length(AreaNormal(p));
 }
 
-Vec3 UnitNormal(const Polygon& p)
+Vec3 UnitNormal(PolygonView p)
 {
   const Vec3 n = AreaNormal(p);
   const double length = glm::length(n);
   return length > 0.0 ? n / length : Vec3(0.0);
 }
 
-Vec3 Centroid(const Polygon& p)
+Vec3 Centroid(PolygonView p)
 {
   const Vec3 n = UnitNormal(p);
   Vec3 moment(0.0);
@@ -44,7 +44,7 @@ Vec3 Centroid(const Polygon& p)
   return total > 0.0 ? p[0] + moment / (3.0 * total) : p[0];
 }
 
-Plane SupportingPlane(const Polygon& p)
+Plane SupportingPlane(PolygonView p)
 {
   Plane plane;
   plane.normal = UnitNormal(p);
@@ -57,7 +57,7 @@ Plane SupportingPlane(const Polygon& p)
   return plane;
 }
 
-double RadiusAround(const Polygon& p, const Vec3& centre)
+double RadiusAround(PolygonView p, const Vec3& centre)
 {
   double r2 = 0.0;
   for (const Vec3& v : p)
@@ -91,16 +91,6 @@ Polygon ClipToFront(const Polygon& p, const Plane& plane, double tolerance)
   if (!anyInside)
   {
     result.Clear();
-  }
-  return result;
-}
-
-Polygon Reversed(const Polygon& p)
-{
-  Polygon result;
-  for (int i = p.Size() - 1; i >= 0; --i)
-  {
-    result.Add(p[i]);
   }
   return result;
 }

@@ -2,9 +2,11 @@
 
 #include "core/math/Types.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <initializer_list>
+#include <type_traits>
 #include <vector>
 
 /// \file Polygon.h
@@ -24,20 +26,60 @@ struct Plane
   double Distance(const Vec3& x) const { return glm::dot(this->normal, x) - this->offset; }
 };
 
-/// A convex planar polygon, counter-clockwise seen from its front. Patches and elements have three
-/// or four vertices; clipping one to half-spaces adds at most one vertex a plane.
-class Polygon
+template <int MostVertices>
+class PolygonOf;
+
+/// The vertices of a polygon that is kept elsewhere.
+class PolygonView
 {
 public:
-  static constexpr int Capacity = 16;
+  PolygonView(const Vec3* first, int count)
+    : First(first)
+    , Count(count)
+  {
+  }
+  template <int MostVertices>
+  PolygonView(const PolygonOf<MostVertices>& p)
+    : PolygonView(p.begin(), p.Size())
+  {
+  }
 
-  Polygon() = default;
-  Polygon(std::initializer_list<Vec3> vertices)
+  int Size() const { return this->Count; }
+  const Vec3& operator[](int i) const { return this->First[i]; }
+  const Vec3* begin() const { return this->First; }
+  const Vec3* end() const { return this->First + this->Count; }
+
+private:
+  const Vec3* First;
+  int Count;
+};
+
+/// A convex planar polygon, counter-clockwise seen from its front, with room for so many vertices.
+template <int MostVertices>
+class PolygonOf
+{
+public:
+  static constexpr int Capacity = MostVertices;
+
+  PolygonOf() = default;
+  PolygonOf(std::initializer_list<Vec3> vertices)
   {
     for (const Vec3& v : vertices)
     {
       this->Add(v);
     }
+  }
+  /// \pre there is room for them
+  explicit PolygonOf(PolygonView vertices)
+    : Count(vertices.Size())
+  {
+    assert(this->Count <= Capacity);
+    std::copy(vertices.begin(), vertices.end(), this->Vertices.begin());
+  }
+  template <int Fewer, typename = std::enable_if_t<(Fewer < MostVertices)>>
+  PolygonOf(const PolygonOf<Fewer>& other)
+    : PolygonOf(PolygonView(other))
+  {
   }
 
   void Add(const Vec3& v)
@@ -59,30 +101,46 @@ private:
   int Count = 0;
 };
 
+/// Has room for what is left of a triangle or quadrilateral after clipping it to half-spaces, each
+/// of which adds at most one vertex.
+using Polygon = PolygonOf<16>;
+
+/// Has not: what is kept of each facet of a large scene.
+using TriangleOrQuadrilateral = PolygonOf<4>;
+
 /// Area-weighted normal (Newell): its length is the area. Exact for any planar polygon, relative
 /// to its first vertex so that far-away polygons lose nothing.
-Vec3 AreaNormal(const Polygon& p);
+Vec3 AreaNormal(PolygonView p);
 
-double Area(const Polygon& p);
+double Area(PolygonView p);
 
 /// Unit normal; (0,0,0) for a polygon without area.
-Vec3 UnitNormal(const Polygon& p);
+Vec3 UnitNormal(PolygonView p);
 
 /// Centre of gravity of the surface (not of the vertices).
-Vec3 Centroid(const Polygon& p);
+Vec3 Centroid(PolygonView p);
 
 /// Supporting plane, through the vertex mean.
-Plane SupportingPlane(const Polygon& p);
+Plane SupportingPlane(PolygonView p);
 
 /// Radius of the smallest sphere around `centre` that holds the polygon.
-double RadiusAround(const Polygon& p, const Vec3& centre);
+double RadiusAround(PolygonView p, const Vec3& centre);
 
 /// The part of p in front of the plane (Sutherland, Hodgman 1974, one plane). Vertices nearer to
 /// the plane than `tolerance` count as on it. The result is Empty() when nothing is in front.
 Polygon ClipToFront(const Polygon& p, const Plane& plane, double tolerance = 0.0);
 
 /// The same polygon seen from its other side.
-Polygon Reversed(const Polygon& p);
+template <int MostVertices>
+PolygonOf<MostVertices> Reversed(const PolygonOf<MostVertices>& p)
+{
+  PolygonOf<MostVertices> result;
+  for (int i = p.Size() - 1; i >= 0; --i)
+  {
+    result.Add(p[i]);
+  }
+  return result;
+}
 
 /// Quadrilaterals around vertex 0 that make up p; the last one may be a triangle.
 std::vector<Polygon> InQuadrilaterals(const Polygon& p);

@@ -53,12 +53,12 @@ double InFront(double area)
   return 0.4 * std::sqrt(area);
 }
 
-Vec3 SortingPoint(const Polygon& shape, const Vec3& normal)
+Vec3 SortingPoint(PolygonView shape, const Vec3& normal)
 {
   return Centroid(shape) + InFront(Area(shape)) * normal;
 }
 
-Vec3 MiddleOfLongestEdge(const Polygon& shape)
+Vec3 MiddleOfLongestEdge(PolygonView shape)
 {
   Vec3 middle(0.0);
   double longest = -1.0;
@@ -79,7 +79,7 @@ Vec3 MiddleOfLongestEdge(const Polygon& shape)
 class Grid
 {
 public:
-  explicit Grid(const Polygon& shape)
+  explicit Grid(PolygonView shape)
   {
     const int n = shape.Size();
     double leastCosine = 2.0;
@@ -379,7 +379,7 @@ void ClusterMaker::SortBySurface(const Range& range) const
   std::map<std::uint32_t, Sums> surfaces;
   for (const Item* item = range.first; item != range.last; ++item)
   {
-    const Polygon& shape = this->Facets.facets[item->patch / 2].shape;
+    const TriangleOrQuadrilateral& shape = this->Facets.facets[item->patch / 2].shape;
     const double area = Area(shape);
     Sums& sums = surfaces[item->surface];
     sums.areaTimesCentroid += area * Centroid(shape);
@@ -398,12 +398,12 @@ void ClusterMaker::SortBySurface(const Range& range) const
 /// edge.
 void ClusterMaker::SortWithinSurface(const Range& range) const
 {
-  const auto shapeOf = [this](const Item& item) -> const Polygon&
-  { return this->Facets.facets[item.patch / 2].shape; };
+  const auto shapeOf = [this](const Item& item)
+  { return PolygonView(this->Facets.facets[item.patch / 2].shape); };
   const Grid grid(shapeOf(*range.first));
   for (Item* item = range.first; item != range.last; ++item)
   {
-    const Polygon& shape = shapeOf(*item);
+    const PolygonView shape = shapeOf(*item);
     item->key = grid.Of(shape.Size() == 3 ? MiddleOfLongestEdge(shape) : Centroid(shape));
   }
 }

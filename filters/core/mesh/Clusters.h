@@ -11,9 +11,9 @@ namespace vantage
 {
 
 /// The shape of a patch, counter-clockwise seen from its side.
-inline Polygon ShapeOfPatch(const FacetSet& facets, PatchId id)
+inline TriangleOrQuadrilateral ShapeOfPatch(const FacetSet& facets, PatchId id)
 {
-  const Polygon& shape = facets.facets[id / 2].shape;
+  const TriangleOrQuadrilateral& shape = facets.facets[id / 2].shape;
   return id % 2 == 0 ? shape : Reversed(shape);
 }
 

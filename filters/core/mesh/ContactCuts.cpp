@@ -332,7 +332,7 @@ FacetSet CutAtContacts(FacetSet set)
     for (const Polygon& shape : Pieces(facets[f].shape, contacts, tolerance))
     {
       set.facets.push_back(facets[f]);
-      set.facets.back().shape = shape;
+      set.facets.back().shape = TriangleOrQuadrilateral(shape);
     }
   }
   set.facets.shrink_to_fit();

@@ -156,7 +156,7 @@ std::vector<EdgeUse> EdgesOf(const std::vector<Facet>& facets)
   edges.reserve(4 * facets.size());
   for (std::uint32_t f = 0; f < facets.size(); ++f)
   {
-    const Polygon& shape = facets[f].shape;
+    const TriangleOrQuadrilateral& shape = facets[f].shape;
     std::uint64_t before = HashOf(shape[shape.Size() - 1]);
     for (const Vec3& corner : shape)
     {

@@ -107,7 +107,7 @@ Polygon Node::Shape() const
   return shape;
 }
 
-void Node::SetShape(const Polygon& shape)
+void Node::SetShape(PolygonView shape)
 {
   std::copy(shape.begin(), shape.end(), this->corners.begin());
   this->cornerCount = static_cast<std::uint8_t>(shape.Size());

@@ -56,7 +56,7 @@ struct Node
   Polygon Shape() const;
 
   /// With centre, radius and area.
-  void SetShape(const Polygon& shape);
+  void SetShape(PolygonView shape);
 };
 
 /// A parent always has a smaller id than its children, so that sums up and down the tree are two

@@ -27,8 +27,8 @@ enum class Side : std::uint8_t
 /// facet, so that there is one occluder, and each side is the front of its own polygon.
 struct Facet
 {
-  Polygon shape;              ///< counter-clockwise seen from the front
-  std::uint32_t scenePolygon; ///< where it came from
+  TriangleOrQuadrilateral shape; ///< counter-clockwise seen from the front
+  std::uint32_t scenePolygon;    ///< where it came from
   std::uint32_t material;
   std::uint32_t backPolygon = None;  ///< whose front the back side is, if there are two polygons
   std::uint32_t backMaterial = None; ///< of that polygon
@@ -75,21 +75,17 @@ struct FacetSet
   double Tolerance() const;
 };
 
-/// The shapes alone, packed: a Polygon has room for more corners than a facet has.
+/// The shapes alone, packed.
 class FacetShapes
 {
 public:
   explicit FacetShapes(const std::vector<Facet>& facets);
 
   std::uint32_t Size() const { return static_cast<std::uint32_t>(this->Starts.size() - 1); }
-  Polygon operator[](std::uint32_t facet) const
+  PolygonView operator[](std::uint32_t facet) const
   {
-    Polygon shape;
-    for (std::uint32_t i = this->Starts[facet]; i < this->Starts[facet + 1]; ++i)
-    {
-      shape.Add(this->Corners[i]);
-    }
-    return shape;
+    const std::uint32_t start = this->Starts[facet];
+    return { this->Corners.data() + start, static_cast<int>(this->Starts[facet + 1] - start) };
   }
 
 private:

@@ -25,7 +25,7 @@ struct Range
   double nearest, furthest;
 };
 
-Range RangeAlong(const Polygon& p, const Plane& plane)
+Range RangeAlong(PolygonView p, const Plane& plane)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   Range range{ Infinity, -Infinity };
@@ -141,7 +141,7 @@ std::optional<ConvexRegion> Shaft(const Polygon& a, const Polygon& b, double tol
   return shaft;
 }
 
-bool ReachesInto(const Polygon& polygon, const ConvexRegion& region, double tolerance)
+bool ReachesInto(PolygonView polygon, const ConvexRegion& region, double tolerance)
 {
   // Most polygons lie behind one of the planes, and most planes cut off nothing of the others.
   for (int k = 0; k < region.planeCount; ++k)
@@ -151,7 +151,7 @@ bool ReachesInto(const Polygon& polygon, const ConvexRegion& region, double tole
       return false;
     }
   }
-  Polygon rest = polygon;
+  Polygon rest(polygon);
   for (int k = 0; k < region.planeCount && !rest.Empty(); ++k)
   {
     const Range range = RangeAlong(rest, region.planes[k]);

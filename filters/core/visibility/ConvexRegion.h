@@ -37,6 +37,6 @@ ConvexRegion BoxRegion(const Vec3& low, const Vec3& high, double tolerance);
 std::optional<ConvexRegion> Shaft(const Polygon& a, const Polygon& b, double tolerance);
 
 /// Whether part of the polygon lies deeper than the tolerance inside the region. Exact.
-bool ReachesInto(const Polygon& polygon, const ConvexRegion& region, double tolerance);
+bool ReachesInto(PolygonView polygon, const ConvexRegion& region, double tolerance);
 
 } // namespace vantage

@@ -240,8 +240,7 @@ void OccluderScene::Implementation::NormaliseFacets()
   for (std::uint32_t f = 0; f < this->shapes.Size(); ++f)
   {
     Polygon shape;
-    const Polygon given = this->shapes[f];
-    for (const Vec3& v : given)
+    for (const Vec3& v : this->shapes[f])
     {
       shape.Add(this->Normalise(v));
     }
@@ -379,7 +378,7 @@ std::uint32_t OccluderScene::FacetCount() const
 
 Polygon OccluderScene::Shape(std::uint32_t facet) const
 {
-  return this->Impl->shapes[facet];
+  return Polygon(this->Impl->shapes[facet]);
 }
 
 double OccluderScene::Tolerance() const

@@ -16,7 +16,7 @@ namespace
 Facet MakeFacet(const Polygon& shape, std::uint32_t polygon)
 {
   Facet facet;
-  facet.shape = shape;
+  facet.shape = TriangleOrQuadrilateral(shape);
   facet.scenePolygon = polygon;
   facet.material = polygon + 10;
   return facet;
