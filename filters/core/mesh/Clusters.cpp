@@ -1,8 +1,11 @@
 #include "core/mesh/Clusters.h"
 
+#include "core/mesh/Bounds.h"
 #include "core/mesh/CutSurfaces.h"
+#include "core/mesh/Partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,33 +20,6 @@ namespace
 constexpr std::ptrdiff_t MostSurfaces = 32;
 /// ... each cut into so many patches in the mean.
 constexpr std::ptrdiff_t LeastPatches = 4;
-
-/// A patch on its way into the clusters.
-struct Item
-{
-  Vec3 key; ///< what it is sorted by
-  PatchId patch;
-  std::uint32_t surface; ///< one side of one surface (CutSurfaces.h)
-};
-
-struct Bounds
-{
-  Vec3 low{ std::numeric_limits<double>::infinity() };
-  Vec3 high{ -std::numeric_limits<double>::infinity() };
-
-  void Add(const Vec3& p)
-  {
-    this->low = glm::min(this->low, p);
-    this->high = glm::max(this->high, p);
-  }
-  void Add(const Bounds& other)
-  {
-    this->low = glm::min(this->low, other.low);
-    this->high = glm::max(this->high, other.high);
-  }
-  Vec3 Extent() const { return this->high - this->low; }
-  double Diagonal() const { return glm::length(this->Extent()); }
-};
 
 /// How far in front of a surface the point is that it is sorted by. Two fifths of its size off, the
 /// two sides of a wall are further apart than the walls of a room, and none reaches the opposite
@@ -106,120 +82,6 @@ private:
   Vec3 AlongU{ 0.0 }, AlongV{ 0.0 };
 };
 
-constexpr int BinCount = 16;
-/// Of a bin: a row of patches whose middles lie on the border but for rounding is not torn apart.
-constexpr double Slack = 1e-7;
-
-/// Where to cut a range of items: those whose bin along the axis is below `bin` go left.
-struct Cut
-{
-  int axis = 0;
-  int bin = 0; ///< 0: no good cut was found
-  double cost = std::numeric_limits<double>::infinity();
-};
-
-/// The bins of a box along one axis.
-class Binning
-{
-public:
-  Binning(const Bounds& box, int axis)
-    : Axis(axis)
-    , Low(box.low[axis])
-  {
-    const double extent = box.high[axis] - box.low[axis];
-    this->Scale = extent > 0.0 ? BinCount / extent : 0.0;
-  }
-  int Of(const Vec3& key) const
-  {
-    const double place = (key[this->Axis] - this->Low) * this->Scale + Slack;
-    return std::min(static_cast<int>(place), BinCount - 1);
-  }
-
-private:
-  int Axis;
-  double Low;
-  double Scale;
-};
-
-/// The cut across one axis with the smallest sum of count times diagonal, a measure of how far a
-/// cluster is from a point. Each side gets `least` items at least.
-Cut BestCut(const Item* first, const Item* last, const Bounds& box, int axis, std::ptrdiff_t least)
-{
-  std::array<Bounds, BinCount> boxes;
-  std::array<std::ptrdiff_t, BinCount> counts{};
-  const Binning bins(box, axis);
-  for (const Item* item = first; item != last; ++item)
-  {
-    const int bin = bins.Of(item->key);
-    boxes[bin].Add(item->key);
-    ++counts[bin];
-  }
-  std::array<double, BinCount> costAbove{}; ///< of the bins from i on
-  Bounds above;
-  std::ptrdiff_t countAbove = 0;
-  for (int i = BinCount - 1; i > 0; --i)
-  {
-    above.Add(boxes[i]);
-    countAbove += counts[i];
-    costAbove[i] = countAbove > 0 ? countAbove * above.Diagonal() : 0.0;
-  }
-  const std::ptrdiff_t total = last - first;
-  Cut best;
-  best.axis = axis;
-  Bounds below;
-  std::ptrdiff_t countBelow = 0;
-  for (int i = 1; i < BinCount; ++i)
-  {
-    below.Add(boxes[i - 1]);
-    countBelow += counts[i - 1];
-    if (countBelow < least || total - countBelow < least)
-    {
-      continue;
-    }
-    const double cost = countBelow * below.Diagonal() + costAbove[i];
-    if (cost < best.cost)
-    {
-      best.bin = i;
-      best.cost = cost;
-    }
-  }
-  return best;
-}
-
-/// Reorders a range of two items or more into two parts that are not empty; returns where the
-/// second one starts.
-Item* Partition(Item* first, Item* last, std::ptrdiff_t least)
-{
-  Bounds box;
-  for (const Item* item = first; item != last; ++item)
-  {
-    box.Add(item->key);
-  }
-  Cut best;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Cut cut = BestCut(first, last, box, axis, least);
-    if (cut.cost < best.cost)
-    {
-      best = cut;
-    }
-  }
-  if (best.bin > 0)
-  {
-    const Binning bins(box, best.axis);
-    return std::partition(
-      first, last, [&](const Item& item) { return bins.Of(item.key) < best.bin; });
-  }
-  const Vec3 extent = box.Extent();
-  const int axis =
-    extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-  Item* middle = first + (last - first) / 2;
-  std::nth_element(first, middle, last,
-    [axis](const Item& a, const Item& b)
-    { return a.key[axis] != b.key[axis] ? a.key[axis] < b.key[axis] : a.patch < b.patch; });
-  return middle;
-}
-
 /// Centres, radii and areas of the clusters, from the bottom up.
 void SummariseClusters(std::vector<Node>& nodes)
 {
@@ -233,7 +95,7 @@ void SummariseClusters(std::vector<Node>& nodes)
     }
     if (node.IsCluster())
     {
-      node.centre = 0.5 * (boxes[id].low + boxes[id].high);
+      node.centre = 0.5 * (boxes[id].Low() + boxes[id].High());
       double radius = 0.0;
       for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
       {
@@ -257,6 +119,27 @@ enum class Order
   WithinSurface ///< the middle of each patch
 };
 
+/// Looks at no more items than it takes.
+bool HasFewCutSurfaces(const ClusterItem* first, const ClusterItem* last)
+{
+  std::array<std::uint32_t, MostSurfaces> surfaces;
+  const auto most = surfaces.begin() + std::min(MostSurfaces, (last - first) / LeastPatches);
+  auto end = surfaces.begin();
+  for (const ClusterItem* item = first; item != last; ++item)
+  {
+    if (std::find(surfaces.begin(), end, item->surface) != end)
+    {
+      continue;
+    }
+    if (end == most)
+    {
+      return false;
+    }
+    *end++ = item->surface;
+  }
+  return true;
+}
+
 class ClusterMaker
 {
 public:
@@ -269,8 +152,8 @@ public:
 private:
   struct Range
   {
-    Item* first;
-    Item* last;
+    ClusterItem* first;
+    ClusterItem* last;
     Order order;
 
     std::ptrdiff_t Size() const { return this->last - this->first; }
@@ -278,7 +161,6 @@ private:
 
   /// Sorts by something else where it is time to.
   void Reorder(Range& range, NodeId id);
-  bool HasFewCutSurfaces(const Range& range, NodeId id);
   void SortBySurface(const Range& range) const;
   void SortWithinSurface(const Range& range) const;
   void ShapeLeaf(NodeId id, PatchId patch);
@@ -286,8 +168,7 @@ private:
 
   const FacetSet& Facets;
   const std::vector<Patch>& Patches;
-  std::vector<Item> Items;
-  std::vector<NodeId> LastSeen; ///< of each surface: the last range that was found to reach into it
+  std::vector<ClusterItem> Items;
   std::vector<Node> Nodes;
   std::vector<NodeId> CutSurfaces; ///< nodes that hold patches of one surface, and no parent does
 };
@@ -296,7 +177,6 @@ ClusterMaker::ClusterMaker(
   const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active)
   : Facets(facets)
   , Patches(patches)
-  , LastSeen(2 * facets.facets.size(), None)
   , Nodes(1)
 {
   const std::vector<std::uint32_t> surfaces = SurfacesOf(facets);
@@ -312,7 +192,7 @@ ClusterMaker::ClusterMaker(
 
 std::vector<Node> ClusterMaker::Make()
 {
-  Item* items = this->Items.data();
+  ClusterItem* items = this->Items.data();
   std::vector<Range> ranges{ { items, items + this->Items.size(), Order::Patches } };
   ranges.reserve(2 * this->Items.size() - 1);
   for (NodeId id = 0; id < this->Nodes.size(); ++id)
@@ -326,7 +206,7 @@ std::vector<Node> ClusterMaker::Make()
     this->Reorder(range, id);
     // An eighth at least on either side bounds the depth of the tree by a multiple of log n.
     const std::ptrdiff_t least = range.order == Order::Surfaces ? 1 : range.Size() / 8;
-    Item* middle = Partition(range.first, range.last, std::max<std::ptrdiff_t>(1, least));
+    ClusterItem* middle = Partition(range.first, range.last, std::max<std::ptrdiff_t>(1, least));
     ranges.push_back({ range.first, middle, range.order });
     ranges.push_back({ middle, range.last, range.order });
     this->Nodes[id].firstChild = static_cast<NodeId>(this->Nodes.size());
@@ -342,12 +222,12 @@ std::vector<Node> ClusterMaker::Make()
 
 void ClusterMaker::Reorder(Range& range, NodeId id)
 {
-  if (range.order == Order::Patches && this->HasFewCutSurfaces(range, id))
+  if (range.order == Order::Patches && HasFewCutSurfaces(range.first, range.last))
   {
     this->SortBySurface(range);
     range.order = Order::Surfaces;
   }
-  const auto isOfFirst = [&range](const Item& item)
+  const auto isOfFirst = [&range](const ClusterItem& item)
   { return item.surface == range.first->surface; };
   if (range.order == Order::Surfaces && std::all_of(range.first, range.last, isOfFirst))
   {
@@ -355,18 +235,6 @@ void ClusterMaker::Reorder(Range& range, NodeId id)
     range.order = Order::WithinSurface;
     this->CutSurfaces.push_back(id);
   }
-}
-
-bool ClusterMaker::HasFewCutSurfaces(const Range& range, NodeId id)
-{
-  const std::ptrdiff_t most = std::min(MostSurfaces, range.Size() / LeastPatches);
-  std::ptrdiff_t surfaces = 0;
-  for (const Item* item = range.first; item != range.last && surfaces <= most; ++item)
-  {
-    surfaces += this->LastSeen[item->surface] == id ? 0 : 1;
-    this->LastSeen[item->surface] = id;
-  }
-  return surfaces <= most;
 }
 
 void ClusterMaker::SortBySurface(const Range& range) const
@@ -377,7 +245,7 @@ void ClusterMaker::SortBySurface(const Range& range) const
     double area = 0.0;
   };
   std::map<std::uint32_t, Sums> surfaces;
-  for (const Item* item = range.first; item != range.last; ++item)
+  for (const ClusterItem* item = range.first; item != range.last; ++item)
   {
     const TriangleOrQuadrilateral& shape = this->Facets.facets[item->patch / 2].shape;
     const double area = Area(shape);
@@ -385,7 +253,7 @@ void ClusterMaker::SortBySurface(const Range& range) const
     sums.areaTimesCentroid += area * Centroid(shape);
     sums.area += area;
   }
-  for (Item* item = range.first; item != range.last; ++item)
+  for (ClusterItem* item = range.first; item != range.last; ++item)
   {
     const Sums& sums = surfaces[item->surface];
     item->key =
@@ -398,10 +266,10 @@ void ClusterMaker::SortBySurface(const Range& range) const
 /// edge.
 void ClusterMaker::SortWithinSurface(const Range& range) const
 {
-  const auto shapeOf = [this](const Item& item)
+  const auto shapeOf = [this](const ClusterItem& item)
   { return PolygonView(this->Facets.facets[item.patch / 2].shape); };
   const Grid grid(shapeOf(*range.first));
-  for (Item* item = range.first; item != range.last; ++item)
+  for (ClusterItem* item = range.first; item != range.last; ++item)
   {
     const PolygonView shape = shapeOf(*item);
     item->key = grid.Of(shape.Size() == 3 ? MiddleOfLongestEdge(shape) : Centroid(shape));

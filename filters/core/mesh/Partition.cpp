@@ -1,0 +1,169 @@
+#include "core/mesh/Partition.h"
+
+#include "core/mesh/Bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace vantage
+{
+
+namespace
+{
+
+constexpr int BinCount = 16;
+/// Of a bin: a row of patches whose middles lie on the border but for rounding is not torn apart.
+constexpr double Slack = 1e-7;
+
+/// Where to cut a range of items: those whose bin along the axis is below `bin` go left.
+struct Cut
+{
+  int axis = 0;
+  int bin = 0; ///< 0: no good cut was found
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// The items of a range in bins along one axis of their box. Most ranges are of a few items, so
+/// most bins are empty.
+class Binning
+{
+public:
+  Binning(const Bounds& box, int axis)
+    : Axis(axis)
+    , Low(box.Low()[axis])
+  {
+    const double extent = box.Extent()[axis];
+    this->Scale = extent > 0.0 ? BinCount / extent : 0.0;
+  }
+
+  int Of(const Vec3& key) const
+  {
+    const double place = (key[this->Axis] - this->Low) * this->Scale + Slack;
+    return std::min(static_cast<int>(place), BinCount - 1);
+  }
+
+  void Add(const Vec3& key)
+  {
+    const int bin = this->Of(key);
+    this->Boxes[bin].Add(key);
+    ++this->Counts[bin];
+  }
+
+  Cut BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const;
+
+private:
+  int Axis;
+  double Low;
+  double Scale;
+  std::array<Bounds, BinCount> Boxes;
+  std::array<std::uint32_t, BinCount> Counts{};
+};
+
+/// The cheapest cut across the axis that leaves `least` of all items on each side. One below an
+/// empty bin is the same as the one above it.
+Cut Binning::BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const
+{
+  std::array<double, BinCount> costAbove; ///< of the used bins from i on
+  Bounds above;
+  std::ptrdiff_t countAbove = 0;
+  for (int i = BinCount - 1; i > 0; --i)
+  {
+    if (this->Counts[i] > 0)
+    {
+      above.Add(this->Boxes[i]);
+      countAbove += this->Counts[i];
+      costAbove[i] = static_cast<double>(countAbove) * above.Diagonal();
+    }
+  }
+  Cut best;
+  best.axis = this->Axis;
+  Bounds below;
+  std::ptrdiff_t countBelow = 0;
+  int bin = 0; ///< the first after the last used one
+  for (int i = 0; i < BinCount; ++i)
+  {
+    if (this->Counts[i] == 0)
+    {
+      continue;
+    }
+    if (countBelow >= least && total - countBelow >= least)
+    {
+      const double cost = static_cast<double>(countBelow) * below.Diagonal() + costAbove[i];
+      if (cost < best.cost)
+      {
+        best.bin = bin;
+        best.cost = cost;
+      }
+    }
+    below.Add(this->Boxes[i]);
+    countBelow += this->Counts[i];
+    bin = i + 1;
+  }
+  return best;
+}
+
+/// Half of all ranges are of two. Any cut between them costs nothing, so the first axis on which
+/// they differ is taken.
+void PartTwo(ClusterItem& a, ClusterItem& b)
+{
+  if (std::tie(b.key.x, b.key.y, b.key.z, b.patch) < std::tie(a.key.x, a.key.y, a.key.z, a.patch))
+  {
+    std::swap(a, b);
+  }
+}
+
+ClusterItem* SplitAtMedian(ClusterItem* first, ClusterItem* last, const Vec3& extent)
+{
+  const int axis =
+    extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+  ClusterItem* middle = first + (last - first) / 2;
+  std::nth_element(first, middle, last,
+    [axis](const ClusterItem& a, const ClusterItem& b)
+    { return a.key[axis] != b.key[axis] ? a.key[axis] < b.key[axis] : a.patch < b.patch; });
+  return middle;
+}
+
+} // namespace
+
+ClusterItem* Partition(ClusterItem* first, ClusterItem* last, std::ptrdiff_t least)
+{
+  if (last - first == 2)
+  {
+    PartTwo(first[0], first[1]);
+    return first + 1;
+  }
+  Bounds box;
+  for (const ClusterItem* item = first; item != last; ++item)
+  {
+    box.Add(item->key);
+  }
+  std::array<Binning, 3> binnings{ Binning(box, 0), Binning(box, 1), Binning(box, 2) };
+  for (const ClusterItem* item = first; item != last; ++item)
+  {
+    for (Binning& bins : binnings)
+    {
+      bins.Add(item->key);
+    }
+  }
+  Cut best;
+  for (const Binning& bins : binnings)
+  {
+    const Cut cut = bins.BestCut(last - first, least);
+    if (cut.cost < best.cost)
+    {
+      best = cut;
+    }
+  }
+  if (best.bin == 0)
+  {
+    return SplitAtMedian(first, last, box.Extent());
+  }
+  const Binning& bins = binnings[best.axis];
+  return std::partition(
+    first, last, [&](const ClusterItem& item) { return bins.Of(item.key) < best.bin; });
+}
+
+} // namespace vantage
