@@ -1,10 +1,10 @@
 #include "core/mesh/CutSurfaces.h"
 
 #include "core/mesh/DisjointSets.h"
+#include "core/mesh/Numbering.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace vantage
 {
@@ -129,45 +129,41 @@ Polygon Shape(std::vector<Node>& nodes, NodeId id, const Vec3& normal, double to
   return hull;
 }
 
-/// A facet has this edge; facets with other edges may have the same hash.
-struct EdgeUse
+/// The facets that have an edge, as far as they matter here.
+struct EdgeUses
 {
-  std::uint64_t edge;
-  std::uint32_t facet;
+  std::uint32_t first;
+  std::uint32_t second = None;
+  std::uint32_t count = 1;
 };
 
-std::uint64_t HashOf(const Vec3& point)
+/// For each edge of a facet, in the order of the facets. Different edges are told apart by 64 bits
+/// of hash.
+std::vector<EdgeUses> EdgesOf(const std::vector<Facet>& facets)
 {
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double coordinate = point[axis] + 0.0; // there is one zero only
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &coordinate, sizeof(bits));
-    hash = (hash ^ bits ^ (bits >> 29)) * 0x9e3779b97f4a7c15ull;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
-
-std::vector<EdgeUse> EdgesOf(const std::vector<Facet>& facets)
-{
-  std::vector<EdgeUse> edges;
-  edges.reserve(4 * facets.size());
+  const auto hashOf = [](const Vec3& corner) { return HashOfPoint()(corner + Vec3(0.0)); };
+  Numbering<std::uint64_t, Itself> numbers(2 * facets.size());
+  std::vector<EdgeUses> edges;
   for (std::uint32_t f = 0; f < facets.size(); ++f)
   {
     const TriangleOrQuadrilateral& shape = facets[f].shape;
-    std::uint64_t before = HashOf(shape[shape.Size() - 1]);
+    std::uint64_t before = hashOf(shape[shape.Size() - 1]);
     for (const Vec3& corner : shape)
     {
-      const std::uint64_t here = HashOf(corner);
-      edges.push_back({ before + here, f });
+      const std::uint64_t here = hashOf(corner);
+      const std::uint32_t edge = numbers.Of(before + here);
+      if (edge == edges.size())
+      {
+        edges.push_back({ f });
+      }
+      else
+      {
+        edges[edge].second = f;
+        ++edges[edge].count;
+      }
       before = here;
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return a.edge != b.edge ? a.edge < b.edge : a.facet < b.facet; });
   return edges;
 }
 
@@ -190,17 +186,13 @@ std::vector<std::uint32_t> SurfacesOf(const FacetSet& set)
 {
   const std::vector<Facet>& facets = set.facets;
   const double tolerance = set.Tolerance();
-  const std::vector<EdgeUse> edges = EdgesOf(facets);
   DisjointSets surfaces(facets.size());
-  for (auto first = edges.begin(); first != edges.end();)
+  for (const EdgeUses& edge : EdgesOf(facets))
   {
-    const auto last =
-      std::find_if(first, edges.end(), [&](const EdgeUse& use) { return use.edge != first->edge; });
-    if (last - first == 2 && Continues(facets[first[0].facet], facets[first[1].facet], tolerance))
+    if (edge.count == 2 && Continues(facets[edge.first], facets[edge.second], tolerance))
     {
-      surfaces.Join(first[0].facet, first[1].facet);
+      surfaces.Join(edge.first, edge.second);
     }
-    first = last;
   }
   std::vector<std::uint32_t> numbers(facets.size());
   std::uint32_t count = 0;

@@ -13,7 +13,7 @@ namespace vantage
 /// For each facet the number of the surface that it is part of: facets in one plane that look the
 /// same and share edges, each with the next. Where a third one meets the edge, they are two: the
 /// floors of two rooms are, as a wall stands between them. Numbers ascend by the first facet.
-/// O(n log n).
+/// O(n).
 std::vector<std::uint32_t> SurfacesOf(const FacetSet& facets);
 
 /// Gives a shape to each cluster at or below `root` whose patches together are a triangle or a
