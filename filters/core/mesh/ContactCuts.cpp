@@ -1,9 +1,8 @@
 #include "core/mesh/ContactCuts.h"
 
-#include "core/math/Box.h"
+#include "core/mesh/Neighbourhood.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,112 +19,6 @@ constexpr double LeastCovered = 0.75;
 constexpr double Touching = 1e-9;
 /// A facet is cut along no more lines than these.
 constexpr int MostCuts = 6;
-
-/// Which facets are near which: a grid of cells of about their size, hashed.
-class Neighbourhood
-{
-public:
-  Neighbourhood(const std::vector<Facet>& facets, double tolerance)
-    : Tolerance(tolerance)
-  {
-    double sum = 0.0;
-    this->Boxes.reserve(facets.size());
-    for (const Facet& facet : facets)
-    {
-      this->Boxes.emplace_back(facet.shape);
-      sum += glm::length(this->Boxes.back().high - this->Boxes.back().low);
-    }
-    this->CellSize = std::max(2.0 * sum / static_cast<double>(facets.size()), 8.0 * tolerance);
-    this->FillBuckets();
-  }
-
-  /// In ascending order, without itself.
-  std::vector<std::uint32_t> Of(std::uint32_t facet) const
-  {
-    std::vector<std::uint32_t> found;
-    const Box& box = this->Boxes[facet];
-    this->ForEachCell(box,
-      [&](const Cell& cell)
-      {
-        const std::uint32_t bucket = this->BucketOf(cell);
-        for (std::uint32_t i = this->Starts[bucket]; i < this->Starts[bucket + 1]; ++i)
-        {
-          const std::uint32_t other = this->Entries[i];
-          if (other != facet && this->Boxes[other].Touches(box, this->Tolerance) &&
-              this->CellAt(glm::max(box.low, this->Boxes[other].low)) == cell)
-          {
-            found.push_back(other);
-          }
-        }
-      });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-  }
-
-private:
-  using Cell = glm::i64vec3;
-
-  Cell CellAt(const Vec3& point) const
-  {
-    return Cell(glm::floor((point - this->Tolerance) / this->CellSize));
-  }
-
-  std::uint32_t BucketOf(const Cell& cell) const
-  {
-    const std::uint64_t hash = static_cast<std::uint64_t>(cell.x) * 0x9e3779b97f4a7c15ull ^
-                               static_cast<std::uint64_t>(cell.y) * 0xc2b2ae3d27d4eb4full ^
-                               static_cast<std::uint64_t>(cell.z) * 0x165667b19e3779f9ull;
-    return static_cast<std::uint32_t>((hash >> 32) % (this->Starts.size() - 1));
-  }
-
-  template <typename Visit>
-  void ForEachCell(const Box& box, const Visit& visit) const
-  {
-    const Cell low = this->CellAt(box.low);
-    const Cell high(glm::floor((box.high + this->Tolerance) / this->CellSize));
-    for (std::int64_t x = low.x; x <= high.x; ++x)
-    {
-      for (std::int64_t y = low.y; y <= high.y; ++y)
-      {
-        for (std::int64_t z = low.z; z <= high.z; ++z)
-        {
-          visit(Cell(x, y, z));
-        }
-      }
-    }
-  }
-
-  /// A counting sort. Cells may share a bucket.
-  void FillBuckets()
-  {
-    this->Starts.assign(2 * this->Boxes.size() + 2, 0);
-    const auto forEachEntry = [this](const auto& visit)
-    {
-      for (std::uint32_t f = 0; f < this->Boxes.size(); ++f)
-      {
-        this->ForEachCell(
-          this->Boxes[f], [&](const Cell& cell) { visit(f, this->BucketOf(cell)); });
-      }
-    };
-    forEachEntry([this](std::uint32_t, std::uint32_t bucket) { ++this->Starts[bucket]; });
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : this->Starts)
-    {
-      sum += start;
-      start = sum;
-    }
-    this->Entries.resize(sum);
-    forEachEntry([this](std::uint32_t facet, std::uint32_t bucket)
-      { this->Entries[--this->Starts[bucket]] = facet; });
-  }
-
-  double Tolerance;
-  double CellSize = 1.0;
-  std::vector<Box> Boxes;
-  std::vector<std::uint32_t> Starts; ///< of each bucket in the entries, and the end
-  std::vector<std::uint32_t> Entries;
-};
 
 struct Segment
 {
@@ -271,34 +164,41 @@ std::optional<Line> NextCut(const std::vector<Polygon>& pieces,
   return std::nullopt;
 }
 
+std::vector<Polygon> Halves(const std::vector<Polygon>& pieces, const Line& cut, double tolerance)
+{
+  std::vector<Polygon> halves;
+  for (const Polygon& piece : pieces)
+  {
+    if (Across(piece, cut, tolerance))
+    {
+      halves.push_back(ClipToFront(piece, cut.across, tolerance));
+      const Plane other{ -cut.across.normal, -cut.across.offset };
+      halves.push_back(ClipToFront(piece, other, tolerance));
+    }
+    else
+    {
+      halves.push_back(piece);
+    }
+  }
+  return halves;
+}
+
 /// A line cuts all pieces that it crosses, so that no piece has a corner within an edge of another.
+/// Nothing where there is no line to cut along.
 std::vector<Polygon> Pieces(
   const Polygon& whole, const std::vector<Segment>& contacts, double tolerance)
 {
   const Vec3 normal = UnitNormal(whole);
-  std::vector<Polygon> pieces{ whole };
-  for (int cuts = 0; cuts < MostCuts; ++cuts)
+  std::optional<Line> cut = BestCut(whole, contacts, normal, tolerance);
+  if (!cut)
   {
-    const std::optional<Line> cut = NextCut(pieces, contacts, normal, tolerance);
-    if (!cut)
-    {
-      break;
-    }
-    std::vector<Polygon> halves;
-    for (const Polygon& piece : pieces)
-    {
-      if (Across(piece, *cut, tolerance))
-      {
-        halves.push_back(ClipToFront(piece, cut->across, tolerance));
-        const Plane other{ -cut->across.normal, -cut->across.offset };
-        halves.push_back(ClipToFront(piece, other, tolerance));
-      }
-      else
-      {
-        halves.push_back(piece);
-      }
-    }
-    pieces = std::move(halves);
+    return {};
+  }
+  std::vector<Polygon> pieces{ whole };
+  for (int cuts = 0; cut && cuts < MostCuts; ++cuts)
+  {
+    pieces = Halves(pieces, *cut, tolerance);
+    cut = NextCut(pieces, contacts, normal, tolerance);
   }
   std::vector<Polygon> parts;
   for (const Polygon& piece : pieces)
@@ -309,34 +209,82 @@ std::vector<Polygon> Pieces(
   return parts;
 }
 
+/// Where the others near a facet meet it.
+class Contacts
+{
+public:
+  Contacts(const std::vector<Facet>& facets, double tolerance)
+    : Facets(facets)
+    , Tolerance(tolerance)
+    , Near(NeighboursOf(facets, tolerance))
+  {
+  }
+
+  /// In the order of the facets. Valid until the next call.
+  const std::vector<Segment>& Of(std::uint32_t facet)
+  {
+    const Plane plane = SupportingPlane(this->Facets[facet].shape);
+    const PackedLists::List near = this->Near.Of(facet);
+    this->Found.clear();
+    for (const std::uint32_t other : near)
+    {
+      if (const auto contact = Meeting(this->Facets[other].shape, plane, this->Tolerance))
+      {
+        this->Found.push_back(*contact);
+      }
+    }
+    return this->Found;
+  }
+
+private:
+  const std::vector<Facet>& Facets;
+  double Tolerance;
+  PackedLists Near;
+  std::vector<Segment> Found;
+};
+
 } // namespace
 
 FacetSet CutAtContacts(FacetSet set)
 {
-  const double tolerance = Touching * glm::length(set.high - set.low);
-  const std::vector<Facet> facets = std::move(set.facets);
-  const Neighbourhood near(facets, tolerance);
-  set.facets = {};
-  set.facets.reserve(facets.size());
-  for (std::uint32_t f = 0; f < facets.size(); ++f)
+  struct CutFacet
   {
-    const Plane plane = SupportingPlane(facets[f].shape);
-    std::vector<Segment> contacts;
-    for (const std::uint32_t other : near.Of(f))
+    std::uint32_t facet;
+    std::vector<Polygon> pieces;
+  };
+  const double tolerance = Touching * glm::length(set.high - set.low);
+  std::vector<CutFacet> cutFacets;
+  std::size_t count = set.facets.size();
+  Contacts contacts(set.facets, tolerance);
+  for (std::uint32_t f = 0; f < set.facets.size(); ++f)
+  {
+    std::vector<Polygon> pieces = Pieces(set.facets[f].shape, contacts.Of(f), tolerance);
+    if (!pieces.empty())
     {
-      if (const auto contact = Meeting(facets[other].shape, plane, tolerance))
-      {
-        contacts.push_back(*contact);
-      }
-    }
-    for (const Polygon& shape : Pieces(facets[f].shape, contacts, tolerance))
-    {
-      set.facets.push_back(facets[f]);
-      set.facets.back().shape = TriangleOrQuadrilateral(shape);
+      count += pieces.size() - 1;
+      cutFacets.push_back({ f, std::move(pieces) });
     }
   }
-  set.facets.shrink_to_fit();
-  set.meanArea *= static_cast<double>(facets.size()) / static_cast<double>(set.facets.size());
+  if (cutFacets.empty())
+  {
+    return set;
+  }
+  std::vector<Facet> facets;
+  facets.reserve(count);
+  std::uint32_t done = 0;
+  for (const auto& [facet, pieces] : cutFacets)
+  {
+    facets.insert(facets.end(), set.facets.begin() + done, set.facets.begin() + facet);
+    for (const Polygon& piece : pieces)
+    {
+      facets.push_back(set.facets[facet]);
+      facets.back().shape = TriangleOrQuadrilateral(piece);
+    }
+    done = facet + 1;
+  }
+  facets.insert(facets.end(), set.facets.begin() + done, set.facets.end());
+  set.meanArea *= static_cast<double>(set.facets.size()) / static_cast<double>(count);
+  set.facets = std::move(facets);
   return set;
 }
 
