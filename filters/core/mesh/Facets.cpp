@@ -2,16 +2,16 @@
 
 #include "core/Error.h"
 #include "core/math/Sampling.h"
-#include "core/mesh/Triangulate.h"
+#include "core/mesh/RawFacets.h"
 #include "core/mesh/Weld.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace vantage
 {
@@ -24,296 +24,105 @@ namespace
 constexpr double SmallestScene = 1e-70;
 constexpr double LargestScene = 1e75;
 
-/// Indices of welded points; these are ranks by geometry, so comparing them compares geometry.
-using Loop = std::vector<std::uint32_t>;
-
-/// Departure from a plane, relative to the polygon's size, that still counts as flat.
-constexpr double FlatTolerance = 1e-5;
-
-/// Departure from a straight line, relative to the polygon's size, that still counts as straight.
-/// Narrower than the above: what lies within is lost, and thin strips should not be.
-constexpr double StraightTolerance = 1e-6;
-
-/// A triangle or quadrilateral before the final order is known.
-struct RawFacet
+TriangleOrQuadrilateral ShapeOf(const RawFacet& raw, const std::vector<Vec3>& points)
 {
-  std::array<std::uint32_t, 4> corners{ None, None, None, None };
-  int count = 0;
-  std::uint32_t polygon = None;
-  std::uint32_t material = None;
-
-  std::array<std::uint32_t, 4> key{}; ///< the corners from the smallest on, the smaller way round
-  bool isReversed = false;            ///< that is against the order of `corners`
-};
-
-double DistanceFromLine(const Vec3& x, const Vec3& a, const Vec3& b)
-{
-  return glm::length(glm::cross(x - a, b - a)) / glm::length(b - a);
-}
-
-double SizeOf(const Loop& loop, const std::vector<Vec3>& points)
-{
-  Vec3 low = points[loop.front()];
-  Vec3 high = low;
-  for (const std::uint32_t i : loop)
+  TriangleOrQuadrilateral shape;
+  for (const std::uint32_t corner : raw.corners)
   {
-    low = glm::min(low, points[i]);
-    high = glm::max(high, points[i]);
-  }
-  return glm::length(high - low);
-}
-
-Vec3 AreaNormal(const Loop& loop, const std::vector<Vec3>& points)
-{
-  const Vec3& origin = points[loop.front()];
-  Vec3 sum(0.0);
-  for (std::size_t i = 2; i < loop.size(); ++i)
-  {
-    sum += glm::cross(points[loop[i - 1]] - origin, points[loop[i]] - origin);
-  }
-  return 0.5 * sum;
-}
-
-/// Removes repeated corners and corners on the line between their neighbours, T-vertices and
-/// spikes among them. Leaves fewer than three corners of a polygon without area.
-void RemoveRedundantCorners(Loop& loop, const std::vector<Vec3>& points, double weldDistance)
-{
-  const double tolerance = std::max(weldDistance, StraightTolerance * SizeOf(loop, points));
-  std::size_t i = 0;
-  std::size_t inARow = 0;
-  while (loop.size() >= 3 && inARow < loop.size())
-  {
-    const std::size_t n = loop.size();
-    i %= n;
-    const std::uint32_t before = loop[(i + n - 1) % n];
-    const std::uint32_t after = loop[(i + 1) % n];
-    const bool isRedundant =
-      loop[i] == before || before == after ||
-      DistanceFromLine(points[loop[i]], points[before], points[after]) <= tolerance;
-    if (isRedundant)
+    if (corner != None)
     {
-      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
-      i = (i + loop.size() - 1) % loop.size();
-      inARow = 0;
-    }
-    else
-    {
-      ++i;
-      ++inARow;
+      shape.Add(points[corner]);
     }
   }
+  return shape;
 }
 
-bool IsPlanar(
-  const Loop& loop, const std::vector<Vec3>& points, const Vec3& normal, double tolerance)
+/// Sorted by key, and what else tells facets apart: first into buckets by the first corner.
+std::vector<RawFacet> SortByKey(const std::vector<RawFacet>& raw, std::size_t pointCount)
 {
-  double low = 0.0;
-  double high = 0.0;
-  for (const std::uint32_t i : loop)
+  std::vector<std::uint32_t> ends(pointCount + 1, 0);
+  for (const RawFacet& facet : raw)
   {
-    const double height = glm::dot(points[i] - points[loop.front()], normal);
-    low = std::min(low, height);
-    high = std::max(high, height);
+    ++ends[facet.key[0]];
   }
-  return high - low <= 2.0 * tolerance;
-}
-
-/// Whether all corners turn left. That is convex for up to four corners; a star of more has to be
-/// triangulated anyway.
-bool IsConvex(const Loop& loop, const std::vector<Vec3>& points, const Vec3& normal)
-{
-  const std::size_t n = loop.size();
-  for (std::size_t i = 0; i < n; ++i)
+  std::uint32_t sum = 0;
+  for (std::uint32_t& end : ends)
   {
-    const Vec3& before = points[loop[(i + n - 1) % n]];
-    const Vec3& here = points[loop[i]];
-    const Vec3& after = points[loop[(i + 1) % n]];
-    if (!(glm::dot(glm::cross(here - before, after - here), normal) > 0.0))
-    {
-      return false;
-    }
+    sum += std::exchange(end, sum);
   }
-  return true;
-}
-
-/// The same ring of corners from its smallest corner on, in the direction that is smaller; tells
-/// whether that direction is against the loop's own.
-std::pair<Loop, bool> Canonical(const Loop& loop)
-{
-  std::pair<Loop, bool> best;
-  Loop forward = loop;
-  Loop backward(loop.rbegin(), loop.rend());
-  const std::uint32_t smallest = *std::min_element(loop.begin(), loop.end());
-  for (std::size_t i = 0; i < loop.size(); ++i)
+  std::vector<RawFacet> sorted(raw.size());
+  for (const RawFacet& facet : raw)
   {
-    if (forward.front() == smallest && (best.first.empty() || forward < best.first))
-    {
-      best = { forward, false };
-    }
-    if (backward.front() == smallest && (best.first.empty() || backward < best.first))
-    {
-      best = { backward, true };
-    }
-    std::rotate(forward.begin(), forward.begin() + 1, forward.end());
-    std::rotate(backward.begin(), backward.begin() + 1, backward.end());
+    sorted[ends[facet.key[0]]++] = facet;
   }
-  return best;
-}
-
-/// Triangles of a loop. They do not depend on where the loop starts or on its direction, so that
-/// polygons back to back fall into triangles back to back.
-std::vector<Loop> TriangulateLoop(const Loop& loop, const std::vector<Vec3>& points)
-{
-  const auto [ring, isReversed] = Canonical(loop);
-  const Frame frame(glm::normalize(AreaNormal(ring, points)));
-  std::vector<Vec2> corners;
-  for (const std::uint32_t i : ring)
+  auto first = sorted.begin();
+  for (std::size_t point = 0; point < pointCount; ++point)
   {
-    const Vec3 offset = points[i] - points[ring.front()];
-    corners.emplace_back(glm::dot(offset, frame.x), glm::dot(offset, frame.y));
-  }
-  std::vector<Loop> triangles;
-  for (const auto& [a, b, c] : Triangulate(corners))
-  {
-    triangles.push_back(
-      isReversed ? Loop{ ring[c], ring[b], ring[a] } : Loop{ ring[a], ring[b], ring[c] });
-  }
-  return triangles;
-}
-
-/// Takes the polygons of a scene apart.
-class FacetBuilder
-{
-public:
-  FacetBuilder(const std::vector<Vec3>& points, double weldDistance)
-    : Points(points)
-    , WeldDistance(weldDistance)
-  {
-  }
-
-  void Add(Loop loop, std::uint32_t polygon, std::uint32_t material)
-  {
-    RemoveRedundantCorners(loop, this->Points, this->WeldDistance);
-    const double size = SizeOf(loop, this->Points);
-    Vec3 normal = loop.size() < 3 ? Vec3(0.0) : AreaNormal(loop, this->Points);
-    const double area = glm::length(normal);
-    if (area <= std::max(this->WeldDistance, StraightTolerance * size) * size)
-    {
-      ++this->Report.degeneratePolygons;
-      return;
-    }
-    normal /= area;
-    const bool isPlanar =
-      IsPlanar(loop, this->Points, normal, std::max(this->WeldDistance, FlatTolerance * size));
-    const bool isConvex = IsConvex(loop, this->Points, normal);
-    if (loop.size() <= 4 && isPlanar && isConvex)
-    {
-      this->Emit(loop, polygon, material);
-      return;
-    }
-    ++(!isPlanar   ? this->Report.nonPlanarPolygons
-       : !isConvex ? this->Report.concavePolygons
-                   : this->Report.largePolygons);
-    for (Loop triangle : TriangulateLoop(loop, this->Points))
-    {
-      RemoveRedundantCorners(triangle, this->Points, this->WeldDistance);
-      if (triangle.size() == 3)
+    const auto last = sorted.begin() + ends[point];
+    std::sort(first, last,
+      [](const RawFacet& a, const RawFacet& b)
       {
-        this->Emit(triangle, polygon, material);
-      }
-    }
+        return std::tie(a.key, a.isReversed, a.material, a.corners, a.polygon) <
+               std::tie(b.key, b.isReversed, b.material, b.corners, b.polygon);
+      });
+    first = last;
   }
-
-  std::vector<RawFacet> Facets;
-  FacetReport Report;
-
-private:
-  void Emit(const Loop& loop, std::uint32_t polygon, std::uint32_t material)
-  {
-    RawFacet facet;
-    facet.count = static_cast<int>(loop.size());
-    facet.polygon = polygon;
-    facet.material = material;
-    std::copy(loop.begin(), loop.end(), facet.corners.begin());
-    const auto [ring, isReversed] = Canonical(loop);
-    facet.key.fill(None);
-    std::copy(ring.begin(), ring.end(), facet.key.begin());
-    facet.isReversed = isReversed;
-    this->Facets.push_back(facet);
-  }
-
-  const std::vector<Vec3>& Points;
-  double WeldDistance;
-};
-
-Facet MakeFacet(const RawFacet& raw, const std::vector<Vec3>& points)
-{
-  Facet facet;
-  for (int i = 0; i < raw.count; ++i)
-  {
-    facet.shape.Add(points[raw.corners[i]]);
-  }
-  facet.scenePolygon = raw.polygon;
-  facet.material = raw.material;
-  return facet;
+  return sorted;
 }
 
 /// One facet for each place: drops repetitions and makes one of two that lie back to back.
-std::vector<Facet> ResolveCoincident(
-  std::vector<RawFacet> raw, const std::vector<Vec3>& points, FacetReport& report)
+/// \pre sorted by key
+void ResolveCoincident(std::vector<RawFacet>& facets, FacetReport& report)
 {
-  std::sort(raw.begin(), raw.end(),
-    [](const RawFacet& a, const RawFacet& b)
-    {
-      return std::tie(a.key, a.isReversed, a.material, a.corners, a.polygon) <
-             std::tie(b.key, b.isReversed, b.material, b.corners, b.polygon);
-    });
-  std::vector<Facet> facets;
-  facets.reserve(raw.size());
-  for (std::size_t i = 0; i < raw.size(); ++i)
+  std::size_t count = 0;
+  bool isLastReversed = false; ///< of the facet before, dropped or not
+  for (const RawFacet& facet : facets)
   {
-    if (i == 0 || raw[i].key != raw[i - 1].key)
+    RawFacet* const place = count > 0 ? &facets[count - 1] : nullptr;
+    const bool isReversed = facet.isReversed;
+    if (!place || place->key != facet.key)
     {
-      facets.push_back(MakeFacet(raw[i], points));
+      facets[count++] = facet;
     }
-    else if (raw[i].isReversed != raw[i - 1].isReversed)
+    else if (isReversed != isLastReversed)
     {
-      facets.back().backPolygon = raw[i].polygon;
-      facets.back().backMaterial = raw[i].material;
+      place->backPolygon = facet.polygon;
+      place->backMaterial = facet.material;
       ++report.mergedFacets;
     }
     else
     {
       ++report.duplicateFacets;
     }
+    isLastReversed = isReversed;
   }
-  return facets;
+  facets.resize(count);
 }
 
 /// A frame that moves with the scene: axes along moments of its area, so that coordinates in it do
 /// not depend on how the scene is placed. A scene whose moments vanish by symmetry gets some frame.
 struct MovingFrame
 {
-  Vec3 origin{ 0.0 };
+  Vec3 origin;
   std::array<Vec3, 3> axes;
 
-  MovingFrame(const std::vector<Facet>& facets, const std::vector<Vec3>& centroids)
+  MovingFrame(const std::vector<double>& areas, const std::vector<Vec3>& centroids)
+    : origin(centroids.front())
   {
+    double area = 0.0;
+    for (const double one : areas)
+    {
+      area += one;
+    }
     const auto sum = [&](auto&& term)
     {
       Vec3 total(0.0);
-      for (std::size_t f = 0; f < facets.size(); ++f)
+      for (std::size_t f = 0; f < areas.size(); ++f)
       {
-        total += Area(facets[f].shape) * term(centroids[f] - this->origin);
+        total += areas[f] * term(centroids[f] - this->origin);
       }
       return total;
     };
-    double area = 0.0;
-    for (const Facet& facet : facets)
-    {
-      area += Area(facet.shape);
-    }
-    this->origin = centroids.front();
     this->origin += sum([](const Vec3& r) { return r; }) / area;
     const Vec3 skew = sum([](const Vec3& r) { return glm::dot(r, r) * r; });
     this->axes[0] = Direction(skew, Vec3(1.0, 0.0, 0.0));
@@ -337,38 +146,48 @@ private:
   }
 };
 
-/// Sorts by centroid, in a frame of the scene's own: a moved or turned scene has its facets, and
-/// all that is made of them, in the same order. Facets in different places with the same centroid
-/// stay in the order they have, which is one of geometry, too.
-std::vector<Facet> SortByPlace(const std::vector<Facet>& facets)
+/// The facets sorted by centroid, in a frame of the scene's own: a moved or turned scene has its
+/// facets, and all that is made of them, in the same order. Facets in different places with the
+/// same centroid stay in the order they have, which is one of geometry, too.
+std::vector<Facet> InOrderOfPlace(const std::vector<RawFacet>& raw, const std::vector<Vec3>& points)
 {
+  std::vector<double> areas;
   std::vector<Vec3> centroids;
-  centroids.reserve(facets.size());
-  for (const Facet& facet : facets)
+  areas.reserve(raw.size());
+  centroids.reserve(raw.size());
+  for (const RawFacet& facet : raw)
   {
-    centroids.push_back(Centroid(facet.shape));
+    const TriangleOrQuadrilateral shape = ShapeOf(facet, points);
+    areas.push_back(Area(shape));
+    centroids.push_back(Centroid(shape));
   }
-  const MovingFrame frame(facets, centroids);
-  for (Vec3& centroid : centroids)
+  const MovingFrame frame(areas, centroids);
+  struct Entry
   {
-    centroid = frame.Coordinates(centroid);
+    Vec3 place;
+    std::uint32_t facet;
+  };
+  std::vector<Entry> order;
+  order.reserve(raw.size());
+  for (const Vec3& centroid : centroids)
+  {
+    order.push_back({ frame.Coordinates(centroid), static_cast<std::uint32_t>(order.size()) });
   }
-  std::vector<std::uint32_t> order(facets.size());
-  std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
-    [&](std::uint32_t i, std::uint32_t j)
+    [](const Entry& a, const Entry& b)
     {
-      const Vec3& a = centroids[i];
-      const Vec3& b = centroids[j];
-      return std::tie(a.x, a.y, a.z, i) < std::tie(b.x, b.y, b.z, j);
+      return std::tie(a.place.x, a.place.y, a.place.z, a.facet) <
+             std::tie(b.place.x, b.place.y, b.place.z, b.facet);
     });
-  std::vector<Facet> sorted;
-  sorted.reserve(facets.size());
-  for (const std::uint32_t i : order)
+  std::vector<Facet> facets;
+  facets.reserve(raw.size());
+  for (const Entry& entry : order)
   {
-    sorted.push_back(facets[i]);
+    const RawFacet& facet = raw[entry.facet];
+    facets.push_back({ ShapeOf(facet, points), facet.polygon, facet.material, facet.backPolygon,
+      facet.backMaterial });
   }
-  return sorted;
+  return facets;
 }
 
 /// Where each corner of each polygon is, from offsets[0] on. Adding zero turns -0 into 0, so that
@@ -442,19 +261,20 @@ FacetSet BuildFacets(const Scene& scene, double weldTolerance)
   FacetBuilder builder(welded.points, weldDistance);
   for (std::uint32_t p = 0; p < scene.PolygonCount(); ++p)
   {
-    const auto corners = welded.indices.begin() - scene.offsets.front();
-    builder.Add(Loop(corners + scene.offsets[p], corners + scene.offsets[p + 1]), p,
-      scene.materialOfPolygon[p]);
+    const std::uint32_t* const corners = welded.indices.data();
+    builder.Add(corners + (scene.offsets[p] - scene.offsets.front()),
+      corners + (scene.offsets[p + 1] - scene.offsets.front()), p, scene.materialOfPolygon[p]);
   }
-  if (builder.Facets.empty())
+  if (builder.facets.empty())
   {
     throw InputError("scene: none of its polygons has an area; add one that has, or lower the weld "
                      "tolerance");
   }
-  result.report = builder.Report;
+  result.report = builder.report;
   result.report.weldedVertices = welded.moved;
-  result.facets =
-    SortByPlace(ResolveCoincident(std::move(builder.Facets), welded.points, result.report));
+  std::vector<RawFacet> raw = SortByKey(builder.facets, welded.points.size());
+  ResolveCoincident(raw, result.report);
+  result.facets = InOrderOfPlace(raw, welded.points);
   for (const Facet& facet : result.facets)
   {
     result.meanArea += Area(facet.shape);

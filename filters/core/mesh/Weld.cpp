@@ -2,6 +2,7 @@
 
 #include "core/math/Sampling.h"
 #include "core/mesh/DisjointSets.h"
+#include "core/mesh/Numbering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,99 +22,120 @@ bool IsBefore(const Vec3& a, const Vec3& b)
 /// Shares positions that are equal.
 WeldedPoints ShareEqual(const std::vector<Vec3>& positions)
 {
+  WeldedPoints result;
+  result.indices.reserve(positions.size());
+  Numbering<Vec3, HashOfPoint> numbers(positions.size());
+  for (const Vec3& p : positions)
+  {
+    result.indices.push_back(numbers.Of(p));
+  }
   struct Entry
   {
     Vec3 position;
-    std::uint32_t index;
+    std::uint32_t number;
   };
   std::vector<Entry> entries;
-  entries.reserve(positions.size());
-  for (const Vec3& p : positions)
+  entries.reserve(numbers.Keys().size());
+  for (const Vec3& p : numbers.Keys())
   {
     entries.push_back({ p, static_cast<std::uint32_t>(entries.size()) });
   }
   std::sort(entries.begin(), entries.end(),
     [](const Entry& a, const Entry& b) { return IsBefore(a.position, b.position); });
-  WeldedPoints result;
-  result.indices.resize(positions.size());
+  result.points.reserve(entries.size());
+  std::vector<std::uint32_t> places(entries.size());
   for (const Entry& entry : entries)
   {
-    if (result.points.empty() || result.points.back() != entry.position)
-    {
-      result.points.push_back(entry.position);
-    }
-    result.indices[entry.index] = static_cast<std::uint32_t>(result.points.size() - 1);
+    places[entry.number] = static_cast<std::uint32_t>(result.points.size());
+    result.points.push_back(entry.position);
+  }
+  for (std::uint32_t& index : result.indices)
+  {
+    index = places[index];
   }
   return result;
 }
 
-/// A point that reaches into a cell of the grid.
-struct CellEntry
+/// The cells of a grid that a point reaches into: its own and those within the tolerance below it,
+/// mostly none. Two points to be welded meet in a cell: along each axis, the upper one is entered
+/// where the lower is.
+class WeldGrid
 {
-  std::uint64_t cell; ///< hash of its coordinates; a collision only costs a few comparisons
-  std::uint32_t point;
-
-  bool operator<(const CellEntry& other) const
+public:
+  WeldGrid(const Vec3& low, double tolerance)
+    : Low(low)
+    , CellSize(8.0 * tolerance)
   {
-    return std::tie(this->cell, this->point) < std::tie(other.cell, other.point);
   }
+
+  /// Visits hashes of the cells; a collision only costs a few comparisons.
+  template <typename Visit>
+  void ForEachCell(const Vec3& point, const Visit& visit) const
+  {
+    constexpr double Reach = 0.125; // of the tolerance, in cells
+    // Half a cell of offset: the planes through the lowest corner do not lie on cell borders.
+    const Vec3 t = (point - this->Low) / this->CellSize + 0.5;
+    const glm::i64vec3 first(glm::floor(t - Reach));
+    const glm::i64vec3 last(glm::floor(t));
+    for (std::int64_t x = first.x; x <= last.x; ++x)
+    {
+      for (std::int64_t y = first.y; y <= last.y; ++y)
+      {
+        for (std::int64_t z = first.z; z <= last.z; ++z)
+        {
+          visit(Hash(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y),
+            static_cast<std::uint64_t>(z)));
+        }
+      }
+    }
+  }
+
+private:
+  Vec3 Low;
+  double CellSize;
 };
 
-/// Every point is entered in its cell and in those within the tolerance below it, mostly none. Two
-/// points to be welded meet in a cell: along each axis, the upper one is entered where the lower
-/// is.
-std::vector<CellEntry> EnterIntoGrid(const std::vector<Vec3>& points, double tolerance)
+/// Ends the list of a cell.
+constexpr std::uint32_t NoEntry = 0xffffffffu;
+
+/// Joins the points closer than the tolerance.
+void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& sets)
 {
-  const double cellSize = 8.0 * tolerance;
+  struct Entry
+  {
+    std::uint32_t point;
+    std::uint32_t before; ///< in the same cell
+  };
   Vec3 low = points.front();
   for (const Vec3& p : points)
   {
     low = glm::min(low, p);
   }
-  std::vector<CellEntry> entries;
+  const WeldGrid grid(low, tolerance);
+  Numbering<std::uint64_t, Itself> cells(points.size());
+  std::vector<std::uint32_t> lastOfCell; ///< entry
+  std::vector<Entry> entries;
   entries.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i)
+  for (std::uint32_t point = 0; point < points.size(); ++point)
   {
-    std::int64_t first[3];
-    std::int64_t last[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      // Half a cell of offset: the planes through the lowest corner do not lie on cell borders.
-      const double t = (points[i][axis] - low[axis]) / cellSize + 0.5;
-      const double reach = tolerance / cellSize;
-      first[axis] = static_cast<std::int64_t>(std::floor(t - reach));
-      last[axis] = static_cast<std::int64_t>(std::floor(t));
-    }
-    for (std::int64_t x = first[0]; x <= last[0]; ++x)
-    {
-      for (std::int64_t y = first[1]; y <= last[1]; ++y)
+    grid.ForEachCell(points[point],
+      [&](std::uint64_t hash)
       {
-        for (std::int64_t z = first[2]; z <= last[2]; ++z)
+        const std::uint32_t cell = cells.Of(hash);
+        if (cell == lastOfCell.size())
         {
-          entries.push_back({ Hash(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y),
-                                static_cast<std::uint64_t>(z)),
-            i });
+          lastOfCell.push_back(NoEntry);
         }
-      }
-    }
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
-/// Joins the points closer than the tolerance.
-void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& sets)
-{
-  const std::vector<CellEntry> entries = EnterIntoGrid(points, tolerance);
-  for (auto a = entries.begin(); a != entries.end(); ++a)
-  {
-    for (auto b = a + 1; b != entries.end() && b->cell == a->cell; ++b)
-    {
-      if (glm::length(points[a->point] - points[b->point]) <= tolerance)
-      {
-        sets.Join(a->point, b->point);
-      }
-    }
+        for (std::uint32_t e = lastOfCell[cell]; e != NoEntry; e = entries[e].before)
+        {
+          if (glm::length(points[entries[e].point] - points[point]) <= tolerance)
+          {
+            sets.Join(entries[e].point, point);
+          }
+        }
+        entries.push_back({ point, lastOfCell[cell] });
+        lastOfCell[cell] = static_cast<std::uint32_t>(entries.size() - 1);
+      });
   }
 }
 
