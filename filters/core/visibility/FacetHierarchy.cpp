@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace vantage
 {
@@ -21,31 +20,35 @@ constexpr int StackSize = 64;
 FacetHierarchy::FacetHierarchy(const FacetShapes& facets, double tolerance)
   : Facets(&facets)
   , Tolerance(tolerance)
-  , Order(facets.Size())
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0u);
-  if (facets.Size() > 0)
+  if (facets.Size() == 0)
   {
-    std::vector<vantage::Box> boxes;
-    boxes.reserve(facets.Size());
-    for (std::uint32_t f = 0; f < facets.Size(); ++f)
-    {
-      boxes.emplace_back(facets[f]);
-    }
-    this->Boxes.resize(1);
-    this->Build(boxes, 0, 0, facets.Size());
+    return;
+  }
+  std::vector<Item> items;
+  items.reserve(facets.Size());
+  for (std::uint32_t f = 0; f < facets.Size(); ++f)
+  {
+    items.push_back({ vantage::Box(facets[f]), f });
+  }
+  this->Boxes.reserve(facets.Size() + 1); // leaves hold more than half of what they may
+  this->Boxes.resize(1);
+  this->Build(items.data(), 0, 0, facets.Size());
+  this->Order.reserve(items.size());
+  for (const Item& item : items)
+  {
+    this->Order.push_back(item.facet);
   }
 }
 
-void FacetHierarchy::Build(const std::vector<vantage::Box>& boxes, std::uint32_t box,
-  std::uint32_t first, std::uint32_t last)
+void FacetHierarchy::Build(Item* items, std::uint32_t box, std::uint32_t first, std::uint32_t last)
 {
-  Vec3 low = boxes[this->Order[first]].low;
-  Vec3 high = boxes[this->Order[first]].high;
+  Vec3 low = items[first].box.low;
+  Vec3 high = items[first].box.high;
   for (std::uint32_t i = first + 1; i < last; ++i)
   {
-    low = glm::min(low, boxes[this->Order[i]].low);
-    high = glm::max(high, boxes[this->Order[i]].high);
+    low = glm::min(low, items[i].box.low);
+    high = glm::max(high, items[i].box.high);
   }
   if (last - first <= LeafSize)
   {
@@ -55,19 +58,18 @@ void FacetHierarchy::Build(const std::vector<vantage::Box>& boxes, std::uint32_t
   const Vec3 size = high - low;
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
   const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-    this->Order.begin() + last,
-    [&](std::uint32_t a, std::uint32_t b)
+  std::nth_element(items + first, items + middle, items + last,
+    [axis](const Item& a, const Item& b)
     {
-      const double x = boxes[a].low[axis] + boxes[a].high[axis];
-      const double y = boxes[b].low[axis] + boxes[b].high[axis];
-      return x != y ? x < y : a < b;
+      const double x = a.box.low[axis] + a.box.high[axis];
+      const double y = b.box.low[axis] + b.box.high[axis];
+      return x != y ? x < y : a.facet < b.facet;
     });
   const auto children = static_cast<std::uint32_t>(this->Boxes.size());
   this->Boxes[box] = { low, high, children, 0 };
   this->Boxes.resize(children + 2);
-  this->Build(boxes, children, first, middle);
-  this->Build(boxes, children + 1, middle, last);
+  this->Build(items, children, first, middle);
+  this->Build(items, children + 1, middle, last);
 }
 
 bool FacetHierarchy::Reaches(const Box& box, const ConvexRegion& region) const

@@ -37,8 +37,14 @@ private:
     std::uint32_t count; ///< facets of a leaf; 0 for an inner box
   };
 
-  void Build(const std::vector<vantage::Box>& boxes, std::uint32_t box, std::uint32_t first,
-    std::uint32_t last);
+  /// A facet on its way into the tree.
+  struct Item
+  {
+    vantage::Box box;
+    std::uint32_t facet;
+  };
+
+  void Build(Item* items, std::uint32_t box, std::uint32_t first, std::uint32_t last);
   bool Reaches(const Box& box, const ConvexRegion& region) const;
 
   /// Calls visit(facet) for facets that reach into the region and step() for all that is looked

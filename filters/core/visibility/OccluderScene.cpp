@@ -59,8 +59,8 @@ private:
 struct OccluderList
 {
   std::vector<FlatOccluder> occluders;
-  std::vector<RTCBounds> bounds;
-  double tolerance = 0.0; ///< in the normalised scene
+  std::vector<RTCBounds> bounds; ///< until the Embree scene is built
+  double tolerance = 0.0;        ///< in the normalised scene
 };
 
 /// A query on its way through Embree, in the normalised scene. Embree hands the context back to the
@@ -275,6 +275,7 @@ void OccluderScene::Implementation::BuildEmbreeScene()
   rtcAttachGeometry(this->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(this->scene);
+  this->list.bounds = {};
   const RTCError error = rtcGetDeviceError(this->device);
   if (error != RTC_ERROR_NONE)
   {
