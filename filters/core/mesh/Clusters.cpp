@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <map>
 
@@ -146,30 +147,28 @@ public:
   ClusterMaker(
     const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active);
 
-  /// Breadth first: node i holds the items of range i, and a pair of children goes to the end.
+  /// Breadth first: a pair of children goes to the end.
   std::vector<Node> Make();
 
 private:
-  struct Range
+  struct Range : ClusterRange
   {
-    ClusterItem* first;
-    ClusterItem* last;
+    NodeId node;
     Order order;
-
-    std::ptrdiff_t Size() const { return this->last - this->first; }
   };
 
   /// Sorts by something else where it is time to.
-  void Reorder(Range& range, NodeId id);
+  void Reorder(Range& range);
   void SortBySurface(const Range& range) const;
   void SortWithinSurface(const Range& range) const;
-  void ShapeLeaf(NodeId id, PatchId patch);
+  void Append(const ClusterRange& range, NodeId parent, Order order);
   void ShapeCutSurfaces();
 
   const FacetSet& Facets;
   const std::vector<Patch>& Patches;
   std::vector<ClusterItem> Items;
   std::vector<Node> Nodes;
+  std::deque<Range> Open;          ///< nodes that have no children yet
   std::vector<NodeId> CutSurfaces; ///< nodes that hold patches of one surface, and no parent does
 };
 
@@ -177,7 +176,6 @@ ClusterMaker::ClusterMaker(
   const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active)
   : Facets(facets)
   , Patches(patches)
-  , Nodes(1)
 {
   const std::vector<std::uint32_t> surfaces = SurfacesOf(facets);
   this->Items.reserve(active.size());
@@ -192,40 +190,50 @@ ClusterMaker::ClusterMaker(
 
 std::vector<Node> ClusterMaker::Make()
 {
-  ClusterItem* items = this->Items.data();
-  std::vector<Range> ranges{ { items, items + this->Items.size(), Order::Patches } };
-  ranges.reserve(2 * this->Items.size() - 1);
-  for (NodeId id = 0; id < this->Nodes.size(); ++id)
+  ClusterItem* const first = this->Items.data();
+  ClusterItem* const last = first + this->Items.size();
+  this->Append({ first, last, BoxOf(first, last) }, None, Order::Patches);
+  for (; !this->Open.empty(); this->Open.pop_front())
   {
-    Range range = ranges[id];
-    if (range.Size() == 1)
-    {
-      this->ShapeLeaf(id, range.first->patch);
-      continue;
-    }
-    this->Reorder(range, id);
+    Range range = this->Open.front();
+    this->Reorder(range);
     // An eighth at least on either side bounds the depth of the tree by a multiple of log n.
     const std::ptrdiff_t least = range.order == Order::Surfaces ? 1 : range.Size() / 8;
-    ClusterItem* middle = Partition(range.first, range.last, std::max<std::ptrdiff_t>(1, least));
-    ranges.push_back({ range.first, middle, range.order });
-    ranges.push_back({ middle, range.last, range.order });
-    this->Nodes[id].firstChild = static_cast<NodeId>(this->Nodes.size());
-    this->Nodes[id].childCount = 2;
-    Node child;
-    child.parent = id;
-    this->Nodes.insert(this->Nodes.end(), 2, child);
+    this->Nodes[range.node].firstChild = static_cast<NodeId>(this->Nodes.size());
+    this->Nodes[range.node].childCount = 2;
+    for (const ClusterRange& part : Partition(range, std::max<std::ptrdiff_t>(1, least)))
+    {
+      this->Append(part, range.node, range.order);
+    }
   }
   SummariseClusters(this->Nodes);
   this->ShapeCutSurfaces();
   return std::move(this->Nodes);
 }
 
-void ClusterMaker::Reorder(Range& range, NodeId id)
+void ClusterMaker::Append(const ClusterRange& range, NodeId parent, Order order)
+{
+  Node node;
+  node.parent = parent;
+  if (range.Size() == 1)
+  {
+    node.patch = range.first->patch;
+    node.SetShape(ShapeOfPatch(this->Facets, node.patch));
+  }
+  else
+  {
+    this->Open.push_back({ range, static_cast<NodeId>(this->Nodes.size()), order });
+  }
+  this->Nodes.push_back(node);
+}
+
+void ClusterMaker::Reorder(Range& range)
 {
   if (range.order == Order::Patches && HasFewCutSurfaces(range.first, range.last))
   {
     this->SortBySurface(range);
     range.order = Order::Surfaces;
+    range.box = BoxOf(range.first, range.last);
   }
   const auto isOfFirst = [&range](const ClusterItem& item)
   { return item.surface == range.first->surface; };
@@ -233,7 +241,8 @@ void ClusterMaker::Reorder(Range& range, NodeId id)
   {
     this->SortWithinSurface(range);
     range.order = Order::WithinSurface;
-    this->CutSurfaces.push_back(id);
+    range.box = BoxOf(range.first, range.last);
+    this->CutSurfaces.push_back(range.node);
   }
 }
 
@@ -274,12 +283,6 @@ void ClusterMaker::SortWithinSurface(const Range& range) const
     const PolygonView shape = shapeOf(*item);
     item->key = grid.Of(shape.Size() == 3 ? MiddleOfLongestEdge(shape) : Centroid(shape));
   }
-}
-
-void ClusterMaker::ShapeLeaf(NodeId id, PatchId patch)
-{
-  this->Nodes[id].patch = patch;
-  this->Nodes[id].SetShape(ShapeOfPatch(this->Facets, patch));
 }
 
 void ClusterMaker::ShapeCutSurfaces()

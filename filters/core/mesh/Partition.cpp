@@ -1,7 +1,5 @@
 #include "core/mesh/Partition.h"
 
-#include "core/mesh/Bounds.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -53,6 +51,17 @@ public:
   }
 
   Cut BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const;
+
+  /// Of the bins [first, last).
+  Bounds BoxOf(int first, int last) const
+  {
+    Bounds box;
+    for (int i = first; i < last; ++i)
+    {
+      box.Add(this->Boxes[i]);
+    }
+    return box;
+  }
 
 private:
   int Axis;
@@ -107,41 +116,52 @@ Cut Binning::BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const
 
 /// Half of all ranges are of two. Any cut between them costs nothing, so the first axis on which
 /// they differ is taken.
-void PartTwo(ClusterItem& a, ClusterItem& b)
+std::array<ClusterRange, 2> PartTwo(ClusterItem* items)
 {
-  if (std::tie(b.key.x, b.key.y, b.key.z, b.patch) < std::tie(a.key.x, a.key.y, a.key.z, a.patch))
+  const auto placeOf = [](const ClusterItem& item)
+  { return std::tie(item.key.x, item.key.y, item.key.z, item.patch); };
+  if (placeOf(items[1]) < placeOf(items[0]))
   {
-    std::swap(a, b);
+    std::swap(items[0], items[1]);
   }
+  return { ClusterRange{ items, items + 1, Bounds(items[0].key) },
+    ClusterRange{ items + 1, items + 2, Bounds(items[1].key) } };
 }
 
-ClusterItem* SplitAtMedian(ClusterItem* first, ClusterItem* last, const Vec3& extent)
+std::array<ClusterRange, 2> PartAtMedian(const ClusterRange& range)
 {
+  const Vec3 extent = range.box.Extent();
   const int axis =
     extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-  ClusterItem* middle = first + (last - first) / 2;
-  std::nth_element(first, middle, last,
+  ClusterItem* middle = range.first + range.Size() / 2;
+  std::nth_element(range.first, middle, range.last,
     [axis](const ClusterItem& a, const ClusterItem& b)
     { return a.key[axis] != b.key[axis] ? a.key[axis] < b.key[axis] : a.patch < b.patch; });
-  return middle;
+  return { ClusterRange{ range.first, middle, BoxOf(range.first, middle) },
+    ClusterRange{ middle, range.last, BoxOf(middle, range.last) } };
 }
 
 } // namespace
 
-ClusterItem* Partition(ClusterItem* first, ClusterItem* last, std::ptrdiff_t least)
+Bounds BoxOf(const ClusterItem* first, const ClusterItem* last)
 {
-  if (last - first == 2)
-  {
-    PartTwo(first[0], first[1]);
-    return first + 1;
-  }
   Bounds box;
   for (const ClusterItem* item = first; item != last; ++item)
   {
     box.Add(item->key);
   }
-  std::array<Binning, 3> binnings{ Binning(box, 0), Binning(box, 1), Binning(box, 2) };
-  for (const ClusterItem* item = first; item != last; ++item)
+  return box;
+}
+
+std::array<ClusterRange, 2> Partition(const ClusterRange& range, std::ptrdiff_t least)
+{
+  if (range.Size() == 2)
+  {
+    return PartTwo(range.first);
+  }
+  std::array<Binning, 3> binnings{ Binning(range.box, 0), Binning(range.box, 1),
+    Binning(range.box, 2) };
+  for (const ClusterItem* item = range.first; item != range.last; ++item)
   {
     for (Binning& bins : binnings)
     {
@@ -151,7 +171,7 @@ ClusterItem* Partition(ClusterItem* first, ClusterItem* last, std::ptrdiff_t lea
   Cut best;
   for (const Binning& bins : binnings)
   {
-    const Cut cut = bins.BestCut(last - first, least);
+    const Cut cut = bins.BestCut(range.Size(), least);
     if (cut.cost < best.cost)
     {
       best = cut;
@@ -159,11 +179,13 @@ ClusterItem* Partition(ClusterItem* first, ClusterItem* last, std::ptrdiff_t lea
   }
   if (best.bin == 0)
   {
-    return SplitAtMedian(first, last, box.Extent());
+    return PartAtMedian(range);
   }
   const Binning& bins = binnings[best.axis];
-  return std::partition(
-    first, last, [&](const ClusterItem& item) { return bins.Of(item.key) < best.bin; });
+  ClusterItem* middle = std::partition(
+    range.first, range.last, [&](const ClusterItem& item) { return bins.Of(item.key) < best.bin; });
+  return { ClusterRange{ range.first, middle, bins.BoxOf(0, best.bin) },
+    ClusterRange{ middle, range.last, bins.BoxOf(best.bin, BinCount) } };
 }
 
 } // namespace vantage

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/mesh/Bounds.h"
 #include "core/mesh/ElementTree.h"
 
+#include <array>
 #include <cstddef>
 
 /// \file Partition.h
@@ -18,10 +20,22 @@ struct ClusterItem
   std::uint32_t surface; ///< one side of one surface (CutSurfaces.h)
 };
 
-/// Reorders a range of two items or more into two parts of `least` items at least; returns where
-/// the second one starts. Of the cuts at the borders of a few bins along each axis, the one with
-/// the smallest sum of count times diagonal, a measure of how far a cluster is from a point; the
-/// median along the longest axis where there is no such cut. O(n).
-ClusterItem* Partition(ClusterItem* first, ClusterItem* last, std::ptrdiff_t least);
+/// Items that follow each other, and the box of their keys.
+struct ClusterRange
+{
+  ClusterItem* first;
+  ClusterItem* last;
+  Bounds box;
+
+  std::ptrdiff_t Size() const { return this->last - this->first; }
+};
+
+Bounds BoxOf(const ClusterItem* first, const ClusterItem* last);
+
+/// Reorders a range of two items or more into two parts of `least` items at least. Of the cuts at
+/// the borders of a few bins along each axis, the one with the smallest sum of count times
+/// diagonal, a measure of how far a cluster is from a point; the median along the longest axis
+/// where there is no such cut. O(n).
+std::array<ClusterRange, 2> Partition(const ClusterRange& range, std::ptrdiff_t least);
 
 } // namespace vantage
