@@ -1,10 +1,12 @@
 #include "core/mesh/CutSurfaces.h"
 
+#include "core/mesh/BucketSort.h"
 #include "core/mesh/DisjointSets.h"
 #include "core/mesh/Numbering.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace vantage
 {
@@ -129,42 +131,42 @@ Polygon Shape(std::vector<Node>& nodes, NodeId id, const Vec3& normal, double to
   return hull;
 }
 
-/// The facets that have an edge, as far as they matter here.
-struct EdgeUses
+/// A facet has this edge. Different edges are told apart by 64 bits of hash.
+struct EdgeUse
 {
-  std::uint32_t first;
-  std::uint32_t second = None;
-  std::uint32_t count = 1;
+  std::uint64_t edge;
+  std::uint32_t facet;
 };
 
-/// For each edge of a facet, in the order of the facets. Different edges are told apart by 64 bits
-/// of hash.
-std::vector<EdgeUses> EdgesOf(const std::vector<Facet>& facets)
+std::uint64_t HashOf(const Vec3& corner)
 {
-  const auto hashOf = [](const Vec3& corner) { return HashOfPoint()(corner + Vec3(0.0)); };
-  Numbering<std::uint64_t, Itself> numbers(2 * facets.size());
-  std::vector<EdgeUses> edges;
-  for (std::uint32_t f = 0; f < facets.size(); ++f)
+  return HashOfPoint()(corner + Vec3(0.0)); // there is one zero only
+}
+
+/// Those of the same edge follow each other, in the order of the facets.
+std::vector<EdgeUse> EdgesOf(const std::vector<Facet>& facets)
+{
+  const auto forEachUse = [&facets](const auto& visit)
   {
-    const TriangleOrQuadrilateral& shape = facets[f].shape;
-    std::uint64_t before = hashOf(shape[shape.Size() - 1]);
-    for (const Vec3& corner : shape)
+    for (std::uint32_t f = 0; f < facets.size(); ++f)
     {
-      const std::uint64_t here = hashOf(corner);
-      const std::uint32_t edge = numbers.Of(before + here);
-      if (edge == edges.size())
+      const TriangleOrQuadrilateral& shape = facets[f].shape;
+      std::uint64_t before = HashOf(shape[shape.Size() - 1]);
+      for (const Vec3& corner : shape)
       {
-        edges.push_back({ f });
+        const std::uint64_t here = HashOf(corner);
+        visit(EdgeUse{ before + here, f });
+        before = here;
       }
-      else
-      {
-        edges[edge].second = f;
-        ++edges[edge].count;
-      }
-      before = here;
     }
-  }
-  return edges;
+  };
+  const std::size_t buckets = facets.size() / 16 + 1; // as many as the nearest memory has room for
+  return BucketSorted<EdgeUse>(
+    buckets, forEachUse,
+    [buckets](const EdgeUse& use)
+    { return static_cast<std::uint32_t>((use.edge >> 32) * buckets >> 32); },
+    [](const EdgeUse& a, const EdgeUse& b)
+    { return std::tie(a.edge, a.facet) < std::tie(b.edge, b.facet); });
 }
 
 /// One looks like the other, on both sides, and lies in its plane.
@@ -187,12 +189,16 @@ std::vector<std::uint32_t> SurfacesOf(const FacetSet& set)
   const std::vector<Facet>& facets = set.facets;
   const double tolerance = set.Tolerance();
   DisjointSets surfaces(facets.size());
-  for (const EdgeUses& edge : EdgesOf(facets))
+  const std::vector<EdgeUse> edges = EdgesOf(facets);
+  for (auto first = edges.begin(); first != edges.end();)
   {
-    if (edge.count == 2 && Continues(facets[edge.first], facets[edge.second], tolerance))
+    const auto last =
+      std::find_if(first, edges.end(), [&](const EdgeUse& use) { return use.edge != first->edge; });
+    if (last - first == 2 && Continues(facets[first[0].facet], facets[first[1].facet], tolerance))
     {
-      surfaces.Join(edge.first, edge.second);
+      surfaces.Join(first[0].facet, first[1].facet);
     }
+    first = last;
   }
   std::vector<std::uint32_t> numbers(facets.size());
   std::uint32_t count = 0;

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/math/Sampling.h"
+#include "core/mesh/BucketSort.h"
 #include "core/mesh/RawFacets.h"
 #include "core/mesh/Weld.h"
 
@@ -11,7 +12,6 @@
 #include <limits>
 #include <sstream>
 #include <tuple>
-#include <utility>
 
 namespace vantage
 {
@@ -37,37 +37,17 @@ TriangleOrQuadrilateral ShapeOf(const RawFacet& raw, const std::vector<Vec3>& po
   return shape;
 }
 
-/// Sorted by key, and what else tells facets apart: first into buckets by the first corner.
+/// By key, and what else tells facets apart.
 std::vector<RawFacet> SortByKey(const std::vector<RawFacet>& raw, std::size_t pointCount)
 {
-  std::vector<std::uint32_t> ends(pointCount + 1, 0);
-  for (const RawFacet& facet : raw)
-  {
-    ++ends[facet.key[0]];
-  }
-  std::uint32_t sum = 0;
-  for (std::uint32_t& end : ends)
-  {
-    sum += std::exchange(end, sum);
-  }
-  std::vector<RawFacet> sorted(raw.size());
-  for (const RawFacet& facet : raw)
-  {
-    sorted[ends[facet.key[0]]++] = facet;
-  }
-  auto first = sorted.begin();
-  for (std::size_t point = 0; point < pointCount; ++point)
-  {
-    const auto last = sorted.begin() + ends[point];
-    std::sort(first, last,
-      [](const RawFacet& a, const RawFacet& b)
-      {
-        return std::tie(a.key, a.isReversed, a.material, a.corners, a.polygon) <
-               std::tie(b.key, b.isReversed, b.material, b.corners, b.polygon);
-      });
-    first = last;
-  }
-  return sorted;
+  return BucketSorted<RawFacet>(
+    pointCount, [&](const auto& visit) { std::for_each(raw.begin(), raw.end(), visit); },
+    [](const RawFacet& facet) { return facet.key[0]; },
+    [](const RawFacet& a, const RawFacet& b)
+    {
+      return std::tie(a.key, a.isReversed, a.material, a.corners, a.polygon) <
+             std::tie(b.key, b.isReversed, b.material, b.corners, b.polygon);
+    });
 }
 
 /// One facet for each place: drops repetitions and makes one of two that lie back to back.
