@@ -95,10 +95,39 @@ private:
   double CellSize;
 };
 
+/// Points that may have another one within the tolerance, as far as their order tells. Along an
+/// axis, those of [first, last) fall into chains of steps up to about the tolerance; a chain of one
+/// has none, and one without any steps is sorted by the next axis.
+/// \pre the points are sorted by x, y, z, those of the range are equal along the axes before
+void FindCrowded(const std::vector<Vec3>& points, double tolerance, int axis, std::uint32_t first,
+  std::uint32_t last, std::vector<std::uint32_t>& crowded)
+{
+  const double step = 2.0 * tolerance; // whatever rounding does to a distance
+  for (std::uint32_t end = first; first < last; first = end)
+  {
+    for (++end; end < last && points[end][axis] - points[end - 1][axis] <= step; ++end)
+    {
+    }
+    if (end - first == 1)
+    {
+      continue;
+    }
+    if (axis < 2 && points[first][axis] == points[end - 1][axis])
+    {
+      FindCrowded(points, tolerance, axis + 1, first, end, crowded);
+      continue;
+    }
+    for (std::uint32_t point = first; point < end; ++point)
+    {
+      crowded.push_back(point);
+    }
+  }
+}
+
 /// Ends the list of a cell.
 constexpr std::uint32_t NoEntry = 0xffffffffu;
 
-/// Joins the points closer than the tolerance.
+/// Joins the points closer than the tolerance. \pre they are sorted by x, y, z
 void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& sets)
 {
   struct Entry
@@ -111,12 +140,13 @@ void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& s
   {
     low = glm::min(low, p);
   }
+  std::vector<std::uint32_t> crowded;
+  FindCrowded(points, tolerance, 0, 0, static_cast<std::uint32_t>(points.size()), crowded);
   const WeldGrid grid(low, tolerance);
-  Numbering<std::uint64_t, Itself> cells(points.size());
+  Numbering<std::uint64_t, Itself> cells(crowded.size());
   std::vector<std::uint32_t> lastOfCell; ///< entry
   std::vector<Entry> entries;
-  entries.reserve(points.size());
-  for (std::uint32_t point = 0; point < points.size(); ++point)
+  for (const std::uint32_t point : crowded)
   {
     grid.ForEachCell(points[point],
       [&](std::uint64_t hash)
