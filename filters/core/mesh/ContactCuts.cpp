@@ -15,8 +15,6 @@ namespace
 
 /// Part of a line across a facet that must be covered for it to be cut there.
 constexpr double LeastCovered = 0.75;
-/// What is nearer than this, in diagonals of the scene, touches: the weld distance of BuildFacets.
-constexpr double Touching = 1e-9;
 /// A facet is cut along no more lines than these.
 constexpr int MostCuts = 6;
 
@@ -252,7 +250,7 @@ FacetSet CutAtContacts(FacetSet set)
     std::uint32_t facet;
     std::vector<Polygon> pieces;
   };
-  const double tolerance = Touching * glm::length(set.high - set.low);
+  const double tolerance = set.Tolerance();
   std::vector<CutFacet> cutFacets;
   std::size_t count = set.facets.size();
   Contacts contacts(set.facets, tolerance);

@@ -15,9 +15,9 @@ namespace vantage
 ///
 /// A facet is cut only where what meets it covers most of the way across: a table leg, a cupboard
 /// or a picture frame does not cut the floor or the wall. Pieces keep polygons and materials.
-/// Contacts within `tolerance` of the border, or lying in the plane of the facet, do not count. The
-/// pieces depend on geometry only, their order on that of the facets. O(n) for facets of like size
-/// that each meet a few; O(n k) where each meets k.
+/// Contacts within FacetSet::Tolerance() of the border, or lying in the plane of the facet, do not
+/// count. The pieces depend on geometry only, their order on that of the facets. O(n) for facets of
+/// like size that each meet a few; O(n k) where each meets k.
 FacetSet CutAtContacts(FacetSet facets);
 
 } // namespace vantage

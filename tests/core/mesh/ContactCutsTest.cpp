@@ -117,7 +117,8 @@ TEST(ContactCuts, PiecesKeepThePlaceOfAnyFacetInAnyPosition)
     RandomStream random(seed);
     const Frame turn(glm::normalize(Vec3(random.Next(), random.Next(), 0.1 + random.Next())));
     const double scale = std::pow(10.0, 6.0 * random.Next() - 3.0);
-    const Vec3 shift = scale * 1e2 * Vec3(random.Next(), random.Next(), random.Next());
+    const double distance = scale * (seed % 2 == 0 ? 1e2 : 1e8);
+    const Vec3 shift = distance * Vec3(random.Next(), random.Next(), random.Next());
     std::vector<Facet> facets{ Floor(), Wall(0.5 + random.Next(), 0.0, 2.0),
       Wall(2.0 + random.Next(), 0.0, 2.0) };
     for (Facet& facet : facets)
@@ -129,7 +130,8 @@ TEST(ContactCuts, PiecesKeepThePlaceOfAnyFacetInAnyPosition)
     }
     const std::vector<Facet> pieces = CutAtContacts(SetOf(facets)).facets;
     EXPECT_EQ(pieces.size(), 5u);
-    EXPECT_NEAR(AreaOf(pieces) / AreaOf(facets), 1.0, 1e-9);
+    // The corners are rounded where they are.
+    EXPECT_NEAR(AreaOf(pieces) / AreaOf(facets), 1.0, 1e-9 + 1e-15 * distance / scale);
   }
 }
 
