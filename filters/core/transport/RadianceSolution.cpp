@@ -83,6 +83,8 @@ void RadianceSolution::SetPatches(const std::vector<PatchOptics>& optics)
 {
   this->elementOfPatch.assign(optics.size(), None);
   this->coordinatesOfPatch.assign(optics.size(), None);
+  this->emission.reserve(optics.size());
+  this->albedo.reserve(optics.size());
   for (const PatchOptics& patch : optics)
   {
     this->emission.push_back(patch.emission);

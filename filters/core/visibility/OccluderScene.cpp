@@ -275,7 +275,7 @@ void OccluderScene::Implementation::BuildEmbreeScene()
   rtcAttachGeometry(this->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(this->scene);
-  this->list.bounds = {};
+  std::vector<RTCBounds>().swap(this->list.bounds);
   const RTCError error = rtcGetDeviceError(this->device);
   if (error != RTC_ERROR_NONE)
   {
