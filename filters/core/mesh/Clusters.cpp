@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <map>
 
 namespace vantage
