@@ -239,6 +239,7 @@ FacetSet BuildFacets(const Scene& scene, double weldTolerance)
   const WeldedPoints welded = Weld(positions, weldDistance);
 
   FacetBuilder builder(welded.points, weldDistance);
+  builder.facets.reserve(scene.PolygonCount());
   for (std::uint32_t p = 0; p < scene.PolygonCount(); ++p)
   {
     const std::uint32_t* const corners = welded.indices.data();

@@ -50,7 +50,9 @@ public:
     ++this->Counts[bin];
   }
 
-  Cut BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const;
+  /// Makes `best` the cheapest cut across the axis that leaves `least` of all items on each side,
+  /// if it is cheaper. A cut below an empty bin is the same as the one above it.
+  void Improve(Cut& best, std::ptrdiff_t total, std::ptrdiff_t least) const;
 
   /// Of the bins [first, last).
   Bounds BoxOf(int first, int last) const
@@ -71,9 +73,7 @@ private:
   std::array<std::uint32_t, BinCount> Counts{};
 };
 
-/// The cheapest cut across the axis that leaves `least` of all items on each side. One below an
-/// empty bin is the same as the one above it.
-Cut Binning::BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const
+void Binning::Improve(Cut& best, std::ptrdiff_t total, std::ptrdiff_t least) const
 {
   std::array<double, BinCount> costAbove; ///< of the used bins from i on
   Bounds above;
@@ -87,8 +87,6 @@ Cut Binning::BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const
       costAbove[i] = static_cast<double>(countAbove) * above.Diagonal();
     }
   }
-  Cut best;
-  best.axis = this->Axis;
   Bounds below;
   std::ptrdiff_t countBelow = 0;
   int bin = 0; ///< the first after the last used one
@@ -98,20 +96,18 @@ Cut Binning::BestCut(std::ptrdiff_t total, std::ptrdiff_t least) const
     {
       continue;
     }
-    if (countBelow >= least && total - countBelow >= least)
+    if (countBelow >= least && total - countBelow >= least && costAbove[i] < best.cost)
     {
       const double cost = static_cast<double>(countBelow) * below.Diagonal() + costAbove[i];
       if (cost < best.cost)
       {
-        best.bin = bin;
-        best.cost = cost;
+        best = { this->Axis, bin, cost };
       }
     }
     below.Add(this->Boxes[i]);
     countBelow += this->Counts[i];
     bin = i + 1;
   }
-  return best;
 }
 
 /// Half of all ranges are of two. Any cut between them costs nothing, so the first axis on which
@@ -171,11 +167,7 @@ std::array<ClusterRange, 2> Partition(const ClusterRange& range, std::ptrdiff_t 
   Cut best;
   for (const Binning& bins : binnings)
   {
-    const Cut cut = bins.BestCut(range.Size(), least);
-    if (cut.cost < best.cost)
-    {
-      best = cut;
-    }
+    bins.Improve(best, range.Size(), least);
   }
   if (best.bin == 0)
   {

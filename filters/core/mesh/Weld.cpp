@@ -24,7 +24,7 @@ WeldedPoints ShareEqual(const std::vector<Vec3>& positions)
 {
   WeldedPoints result;
   result.indices.reserve(positions.size());
-  Numbering<Vec3, HashOfPoint> numbers(positions.size());
+  Numbering<Vec3, HashOfPoint> numbers(positions.size() / 4); // about four corners share a place
   for (const Vec3& p : positions)
   {
     result.indices.push_back(numbers.Of(p));
