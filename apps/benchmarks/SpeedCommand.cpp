@@ -12,6 +12,8 @@
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -27,6 +29,8 @@ namespace
 {
 
 constexpr int PictureSize = 256;
+/// Over the one asked for before: the fourth root of 1/2.
+constexpr double NextAskedError = 0.8408964152537145;
 constexpr double Never = std::numeric_limits<double>::infinity();
 
 struct SpeedOptions
@@ -81,23 +85,34 @@ struct Cost
 {
   double solve = Never;
   double image = 0.0;
+  double error = Never; ///< true
   double All() const { return this->solve + this->image; }
 };
 
+Cost CostOf(const Target& target, const EngineSettings& engine)
+{
+  const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
+  const Cost cost{ run.solveCpu, run.imageCpu, target.ErrorOf(run.image) };
+  std::printf("# asked %.5f, estimated %.5f, true %.5f, %.4f s + %.4f s\n", engine.error,
+    run.estimate, cost.error, cost.solve, cost.image);
+  std::fflush(stdout);
+  return cost;
+}
+
 /// Of the first picture whose true error is within the goal, over ever smaller asked errors; each
-/// is a run from the scene on.
+/// is a run from the scene on. The median of three runs of that.
 Cost CpuToGoal(const Target& target, EngineSettings engine, double goal)
 {
-  for (engine.error = 0.2; engine.error > 0.05 * goal; engine.error /= std::sqrt(2.0))
+  for (engine.error = 0.2; engine.error > 0.05 * goal; engine.error *= NextAskedError)
   {
-    const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
-    const double error = target.ErrorOf(run.image);
-    std::printf("# asked %.5f, estimated %.5f, true %.5f, %.4f s + %.4f s\n", engine.error,
-      run.estimate, error, run.solveCpu, run.imageCpu);
-    std::fflush(stdout);
-    if (error <= goal)
+    std::array<Cost, 3> costs{ CostOf(target, engine), {}, {} };
+    if (costs[0].error <= goal)
     {
-      return { run.solveCpu, run.imageCpu };
+      costs[1] = CostOf(target, engine);
+      costs[2] = CostOf(target, engine);
+      std::sort(
+        costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.All() < b.All(); });
+      return costs[1];
     }
   }
   return {};
@@ -139,7 +154,7 @@ double PathTracingCpuToGoal(const Target& target, std::uint64_t seed, double goa
 /// When all surfaces matter alike.
 struct WithoutImportance
 {
-  double error = Never; ///< true, over the goal, in the same time
+  double error = Never; ///< true, over that with importance, in the same time
   double time = Never;  ///< to the same goal, over that with importance
 };
 
@@ -159,7 +174,7 @@ WithoutImportance CostWithoutImportance(const Target& target, EngineSettings eng
   const double error = target.ErrorOf(run.image);
   std::printf(
     "# in the same time: true %.5f, %.4f s + %.4f s\n", error, run.solveCpu, run.imageCpu);
-  return { error / goal, without.All() / with.All() };
+  return { error / with.error, without.All() / with.All() };
 }
 
 /// The picture with pixels that are integrated over their area against one of their centres.
@@ -195,7 +210,7 @@ void MeasureSeed(const SpeedOptions& options, std::uint64_t seed, Table& table)
   {
     const Target middle(options.middleRooms, seed, options.cache);
     const WithoutImportance without = CostWithoutImportance(middle, engine, options.goal);
-    table["without importance, error in the same time over goal"].push_back(without.error);
+    table["without importance, error over that with in the same time"].push_back(without.error);
     table["without importance, time to the goal over that with"].push_back(without.time);
   }
   if (options.manyRooms > 0)

@@ -22,7 +22,8 @@ double Step(double factor)
 
 constexpr double Tolerance = 1e-5;
 constexpr double SmallestFactor = 0.02;
-constexpr double LargestFactor = 4.0;
+/// A coarse row may have next to nothing: rays between clusters have missed what its element sees.
+constexpr double LargestFactor = 64.0;
 
 /// What a row may sum up to.
 struct Range
