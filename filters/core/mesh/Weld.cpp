@@ -2,6 +2,7 @@
 
 #include "core/math/Sampling.h"
 #include "core/mesh/DisjointSets.h"
+#include "core/mesh/Facets.h"
 #include "core/mesh/Numbering.h"
 
 #include <algorithm>
@@ -124,16 +125,13 @@ void FindCrowded(const std::vector<Vec3>& points, double tolerance, int axis, st
   }
 }
 
-/// Ends the list of a cell.
-constexpr std::uint32_t NoEntry = 0xffffffffu;
-
 /// Joins the points closer than the tolerance. \pre they are sorted by x, y, z
 void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& sets)
 {
   struct Entry
   {
     std::uint32_t point;
-    std::uint32_t before; ///< in the same cell
+    std::uint32_t before; ///< in the same cell, or None
   };
   Vec3 low = points.front();
   for (const Vec3& p : points)
@@ -154,9 +152,9 @@ void JoinNear(const std::vector<Vec3>& points, double tolerance, DisjointSets& s
         const std::uint32_t cell = cells.Of(hash);
         if (cell == lastOfCell.size())
         {
-          lastOfCell.push_back(NoEntry);
+          lastOfCell.push_back(None);
         }
-        for (std::uint32_t e = lastOfCell[cell]; e != NoEntry; e = entries[e].before)
+        for (std::uint32_t e = lastOfCell[cell]; e != None; e = entries[e].before)
         {
           if (glm::length(points[entries[e].point] - points[point]) <= tolerance)
           {

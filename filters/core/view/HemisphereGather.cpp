@@ -1,7 +1,5 @@
 #include "core/view/HemisphereGather.h"
 
-#include "core/math/ScrambledSobol.h"
-
 namespace vantage
 {
 
@@ -18,25 +16,17 @@ constexpr double NoiseOfWhole = 0.8;
 HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
   PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed)
 {
-  const Frame frame(normal);
-  const std::uint32_t facet = patch / 2;
   const std::uint32_t half = rays / 2;
-  HemisphereEstimate estimate;
   Color sum(0.0);
   Color sumOfHalf(0.0);
-  for (std::uint32_t i = 0; i < rays; ++i)
-  {
-    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
-    if (const auto hit = occluders.Intersect(point, direction, facet))
+  HemisphereEstimate estimate;
+  estimate.shadowRays = ForEachSeen(occluders, surfaces, patch, point, normal, rays, seed,
+    [&](std::uint32_t index, const LitRadiance& radiance)
     {
-      const LitRadiance radiance = surfaces.Radiance(*hit, i, Hash(seed, 1), estimate.shadowRays);
-      sum += radiance.direct + radiance.indirect;
-    }
-    if (i + 1 == half)
-    {
-      sumOfHalf = sum;
-    }
-  }
+      const Color all = radiance.direct + radiance.indirect;
+      sum += all;
+      sumOfHalf += index < half ? all : Color(0.0);
+    });
   estimate.irradiance = sum * (Pi / rays);
   // Half the difference of the halves is the difference between one of them and the whole.
   estimate.noise = half > 0

@@ -1,7 +1,7 @@
 #include "core/view/SecondLook.h"
 
 #include "core/math/Sampling.h"
-#include "core/math/ScrambledSobol.h"
+#include "core/view/HemisphereGather.h"
 
 #include <tbb/parallel_for.h>
 
@@ -74,9 +74,10 @@ void SecondLook::FindMet(const std::vector<Hit>& hits)
   {
     ++times[regions[this->Solution->LeafAt(hit.Patch(), hit.point)]];
   }
-  for (const RadianceSolution::NodeIndex region : regions)
+  this->IsMetOften.resize(regions.size());
+  for (RadianceSolution::NodeIndex leaf = 0; leaf < regions.size(); ++leaf)
   {
-    this->IsMetOften.push_back(times[region] >= Often);
+    this->IsMetOften[leaf] = times[regions[leaf]] >= Often;
   }
 }
 
@@ -96,26 +97,20 @@ SecondLook::Look SecondLook::From(
   const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const
 {
   const PatchId patch = hit.Patch();
-  const Frame frame(NormalOf(*this->Occluders, patch));
-  const std::uint64_t seed = Hash(this->Seed, index);
-  const Color reflectance = this->Solution->albedo[patch];
+  const Color ofRay = this->Solution->albedo[patch] / static_cast<double>(this->RaysOfHit);
   Look look;
   look.leaf = this->Solution->LeafAt(patch, hit.point);
   const RadianceSolution::Element& element = this->Solution->elements[look.leaf];
-  look.fixed = reflectance / Pi * element.unnamedDirect;
+  look.fixed = this->Solution->albedo[patch] / Pi * element.unnamedDirect;
   look.solution = element.indirect;
-  for (std::uint32_t i = 0; i < this->RaysOfHit; ++i)
-  {
-    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
-    if (const auto seen = this->Occluders->Intersect(hit.point, direction, patch / 2))
+  look.shadowRays = ForEachSeen(*this->Occluders, surfaces, patch, hit.point,
+    NormalOf(*this->Occluders, patch), this->RaysOfHit, Hash(this->Seed, index),
+    [&](std::uint32_t, const LitRadiance& radiance)
     {
-      const LitRadiance radiance = surfaces.Radiance(*seen, i, Hash(seed, 1), look.shadowRays);
       const bool isMet = radiance.leaf != None && this->IsMetOften[radiance.leaf];
-      const Color part = reflectance / static_cast<double>(this->RaysOfHit);
-      look.fixed += part * radiance.direct;
-      (isMet ? look.ofMet : look.fixed) += part * radiance.indirect;
-    }
-  }
+      look.fixed += ofRay * radiance.direct;
+      (isMet ? look.ofMet : look.fixed) += ofRay * radiance.indirect;
+    });
   return look;
 }
 
@@ -170,7 +165,7 @@ double SecondLook::Correction() const
 void SecondLook::Apply(LitSurfaces& surfaces) const
 {
   const double correction = this->Correction();
-  std::vector<Sum> sums(this->Solution->elements.size());
+  std::vector<Sum> sums(this->IsMetOften.size()); // none where there was no look
   for (const Look& look : this->Looks)
   {
     Sum& sum = sums[look.leaf];
@@ -180,12 +175,9 @@ void SecondLook::Apply(LitSurfaces& surfaces) const
   for (RadianceSolution::NodeIndex leaf = 0; leaf < sums.size(); ++leaf)
   {
     const Sum& sum = sums[leaf];
-    if (sum.rays > 0.0)
-    {
-      const Color known = (this->IsMetOften[leaf] ? correction : 1.0) * surfaces.Indirect(leaf);
-      surfaces.SetIndirect(
-        leaf, (sum.radiance + RaysOfSolution * known) / (sum.rays + RaysOfSolution));
-    }
+    const Color known = (this->IsMetOften[leaf] ? correction : 1.0) * surfaces.Indirect(leaf);
+    surfaces.SetIndirect(
+      leaf, (sum.radiance + RaysOfSolution * known) / (sum.rays + RaysOfSolution));
   }
 }
 

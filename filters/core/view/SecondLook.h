@@ -18,11 +18,10 @@ namespace vantage
 /// - What an element has is replaced by what the rays from its points found; only what those
 ///   surfaces have got by further reflections comes from elements. Where few hits tell of an
 ///   element, the solution keeps its say. Elements that nothing met stay.
-/// - The indirect light of the solution should be what is reflected of the lamps' and of itself.
-/// Let
-///   it be I on the elements that were met often, and D reflected there of all other light: in the
-///   mean over all rays, s I = D + R s I says by which factor s it errs. So it is multiplied by
-///   that, as far as it is more than noise. What is further away, as another room behind a slit,
+/// - The indirect light of the solution should be what is reflected of that of lamps and of itself.
+///   It be I on the elements that are met often, and D what is reflected there of all other light:
+///   in the mean over all rays, s I = D + R s I says by which factor s it errs. So I is multiplied
+///   by that, as far as it is more than noise. What is further away, as another room behind a slit,
 ///   may be right all the same.
 ///
 /// Refers to occluders and solution, which must outlive it.
@@ -60,7 +59,7 @@ private:
     std::uint64_t shadowRays = 0;
   };
 
-  /// Elements around which at least a few of the hits are.
+  /// Elements around which a few of the hits are.
   void FindMet(const std::vector<Hit>& hits);
   Look From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const;
 

@@ -342,6 +342,28 @@ TEST(SecondLook, CorrectsASolutionThatDoesNotAgreeWithItself)
   EXPECT_EQ(CorrectionFor(0.9, 10), 1.0); // too few to tell
 }
 
+/// What was met is corrected with all that lies around it, whether or not a look fell on it.
+TEST(SecondLook, CorrectsElementsBesideThoseThatWereMet)
+{
+  GatherStage stage = MakeRoomWithPart(0.8);
+  const Hit floor = Met(stage, Vec3(0.3, 0.4, 0.5), Vec3(0.0, 0.0, -1.0));
+  const Hit beside = Met(stage, Vec3(0.9, 0.9, 0.5), Vec3(0.0, 0.0, -1.0));
+  RadianceSolution& solution = stage.solution;
+  const RadianceSolution::NodeIndex whole = solution.LeafAt(floor.Patch(), floor.point);
+  const RadianceSolution::Element part = solution.elements[whole];
+  solution.elements[whole].firstChild = static_cast<std::uint32_t>(solution.elements.size());
+  solution.elements[whole].childCount = 4;
+  solution.elements.insert(solution.elements.end(), 4, part);
+  solution.StartAt(floor.Patch(), ShapeOf(stage.occluders, floor.Patch()), whole);
+  ASSERT_NE(
+    solution.LeafAt(floor.Patch(), floor.point), solution.LeafAt(beside.Patch(), beside.point));
+  LitSurfaces lit(stage.occluders, solution);
+  const Color before = RadianceAt(lit, beside);
+  const SecondLook look = LookAgain(stage, HitsAllAround(stage, 120), 2, 1, lit);
+  EXPECT_NEAR(look.Correction(), 1.0 / 0.8, 1e-9);                             // round-off
+  EXPECT_NEAR(RadianceAt(lit, beside).y, look.Correction() * before.y, 1e-12); // round-off
+}
+
 /// Nothing says that what the view does not meet errs by the same factor.
 TEST(SecondLook, LeavesWhatWasNotMetAsItIs)
 {
