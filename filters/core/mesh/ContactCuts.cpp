@@ -222,9 +222,8 @@ public:
   const std::vector<Segment>& Of(std::uint32_t facet)
   {
     const Plane plane = SupportingPlane(this->Facets[facet].shape);
-    const PackedLists::List near = this->Near.Of(facet);
     this->Found.clear();
-    for (const std::uint32_t other : near)
+    for (const std::uint32_t other : this->Near.Of(facet))
     {
       if (const auto contact = Meeting(this->Facets[other].shape, plane, this->Tolerance))
       {
@@ -237,7 +236,7 @@ public:
 private:
   const std::vector<Facet>& Facets;
   double Tolerance;
-  PackedLists Near;
+  PackedLists<std::uint32_t> Near;
   std::vector<Segment> Found;
 };
 

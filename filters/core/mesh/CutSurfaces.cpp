@@ -1,8 +1,8 @@
 #include "core/mesh/CutSurfaces.h"
 
-#include "core/mesh/BucketSort.h"
 #include "core/mesh/DisjointSets.h"
 #include "core/mesh/Numbering.h"
+#include "core/mesh/PackedLists.h"
 
 #include <algorithm>
 #include <cmath>

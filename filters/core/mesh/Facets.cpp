@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/math/Sampling.h"
-#include "core/mesh/BucketSort.h"
+#include "core/mesh/PackedLists.h"
 #include "core/mesh/RawFacets.h"
 #include "core/mesh/Weld.h"
 

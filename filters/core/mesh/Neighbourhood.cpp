@@ -3,6 +3,7 @@
 #include "core/math/Box.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace vantage
@@ -33,7 +34,7 @@ public:
   /// Each pair once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> Pairs() const
   {
-    const PackedLists buckets(this->BucketCount,
+    const PackedLists<std::uint32_t> buckets(this->BucketCount,
       [this](const auto& visit)
       {
         for (std::uint32_t f = 0; f < this->Boxes.size(); ++f)
@@ -117,10 +118,10 @@ private:
 
 } // namespace
 
-PackedLists NeighboursOf(const std::vector<Facet>& facets, double tolerance)
+PackedLists<std::uint32_t> NeighboursOf(const std::vector<Facet>& facets, double tolerance)
 {
   const auto pairs = Grid(facets, tolerance).Pairs();
-  PackedLists neighbours(facets.size(),
+  PackedLists<std::uint32_t> neighbours(facets.size(),
     [&pairs](const auto& visit)
     {
       for (const auto& [a, b] : pairs)
@@ -129,7 +130,7 @@ PackedLists NeighboursOf(const std::vector<Facet>& facets, double tolerance)
         visit(b, a);
       }
     });
-  neighbours.Sort();
+  neighbours.Sort(std::less<>());
   return neighbours;
 }
 
