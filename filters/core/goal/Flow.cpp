@@ -1,7 +1,5 @@
 #include "core/goal/Flow.h"
 
-#include "core/goal/RowClosure.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -39,44 +37,29 @@ void Flow::Clear()
   }
 }
 
-double Flow::Sweep(const OpenTree& tree, const std::vector<Link>& links,
-  const std::vector<double>& closure, bool isBalanced)
+double Flow::Sweep(const LinkMatrix& matrix, const std::vector<double>& closure, bool isBalanced)
 {
-  this->Incoming.assign(tree.Size(), Color(0.0));
-  for (const Link& link : links)
-  {
-    const auto [a, b] = link.ends;
-    this->Receive(link, a, b, tree[a].area);
-    if (!link.IsSelf())
-    {
-      this->Receive(link, b, a, tree[b].area);
-    }
-  }
-  this->PushDown(tree);
-  const double scale = isBalanced ? this->ScaleOfReceived(tree, closure) : 1.0;
-  const double change = this->ReflectAtLeaves(tree, closure, scale);
-  this->PullUp(tree);
+  this->Incoming = matrix.Times(this->Weighted);
+  const double scale = isBalanced ? this->ScaleOfReceived(matrix, closure) : 1.0;
+  const double change = this->ReflectAtLeaves(matrix, closure, scale);
+  matrix.AverageUp(this->Weighted);
   return change;
 }
 
-void Flow::FindStraight(
-  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure)
+void Flow::FindStraight(const LinkMatrix& matrix, const std::vector<double>& closure)
 {
-  std::vector<double> weighted(tree.Size(), 0.0);
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  std::vector<double> weighted(matrix.Size(), 0.0);
+  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
-    if (tree[id].IsLeaf())
-    {
-      weighted[id] = closure[id] * Mean(this->Sources[id]);
-    }
+    weighted[leaf.id] = closure[leaf.id] * Mean(this->Sources[leaf.id]);
   }
-  AverageUp(tree, weighted);
-  this->Straight = RowSums(tree, links, weighted);
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  matrix.AverageUp(weighted);
+  this->Straight = matrix.Times(weighted);
+  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
-    this->Straight[id] *= Mean(tree[id].albedo) / Pi * closure[id];
+    this->Straight[leaf.id] *= Mean(leaf.reflection) * closure[leaf.id];
   }
-  AverageUp(tree, this->Straight);
+  matrix.AverageUp(this->Straight);
 }
 
 double Flow::StraightPart(OpenId id) const
@@ -85,52 +68,31 @@ double Flow::StraightPart(OpenId id) const
   return received > 0.0 ? std::clamp(this->Straight[id] / received, 0.0, 1.0) : 0.0;
 }
 
-void Flow::Receive(const Link& link, OpenId to, OpenId from, double area)
-{
-  this->Incoming[to] += link.throughput / area * this->Weighted[from];
-}
-
-void Flow::PushDown(const OpenTree& tree)
-{
-  for (OpenId id = 1; id < tree.Size(); ++id)
-  {
-    this->Incoming[id] += this->Incoming[tree[id].parent];
-  }
-}
-
 /// s for which s v = source + s T v in the sum over all.
-double Flow::ScaleOfReceived(const OpenTree& tree, const std::vector<double>& closure) const
+double Flow::ScaleOfReceived(const LinkMatrix& matrix, const std::vector<double>& closure) const
 {
   double source = 0.0;
   double missing = 0.0;
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
-    const OpenNode& node = tree[id];
-    if (node.IsLeaf())
-    {
-      const Color received = node.albedo / Pi * closure[id] * this->Incoming[id];
-      source += node.area * Mean(this->Sources[id]);
-      missing += node.area * Mean(this->Values[id] - received);
-    }
+    const Color received = leaf.reflection * closure[leaf.id] * this->Incoming[leaf.id];
+    source += leaf.area * Mean(this->Sources[leaf.id]);
+    missing += leaf.area * Mean(this->Values[leaf.id] - received);
   }
   return missing > 0.0 ? std::clamp(source / missing, 1.0 / LargestScale, LargestScale) : 1.0;
 }
 
-double Flow::ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure, double scale)
+double Flow::ReflectAtLeaves(
+  const LinkMatrix& matrix, const std::vector<double>& closure, double scale)
 {
   double change = 0.0;
   double total = 0.0;
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  for (const auto& [id, area, reflection] : matrix.Leaves())
   {
-    const OpenNode& node = tree[id];
-    if (!node.IsLeaf())
-    {
-      continue;
-    }
     this->Incoming[id] *= scale * closure[id];
-    const Color value = this->Sources[id] + node.albedo / Pi * this->Incoming[id];
-    change += node.area * std::abs(Mean(value - this->Values[id]));
-    total += node.area * Mean(value);
+    const Color value = this->Sources[id] + reflection * this->Incoming[id];
+    change += area * std::abs(Mean(value - this->Values[id]));
+    total += area * Mean(value);
     this->Values[id] = value;
     this->Weighted[id] = closure[id] * value;
   }
@@ -146,39 +108,11 @@ double Flow::SpreadOfCluster(OpenId leaf) const
   return std::hypot(ofSource, Mean(this->Received(leaf)));
 }
 
-void Flow::PullUp(const OpenTree& tree)
+void Flow::FindSpreads(
+  const OpenTree& tree, const LinkMatrix& matrix, const std::vector<Link>& links)
 {
-  for (OpenId id = tree.Size(); id-- > 0;)
-  {
-    const OpenNode& node = tree[id];
-    if (node.IsLeaf())
-    {
-      continue;
-    }
-    Color source(0.0);
-    Color value(0.0);
-    Color weighted(0.0);
-    double area = 0.0;
-    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
-    {
-      const double childArea = tree[c].area;
-      area += childArea;
-      source += childArea * this->Sources[c];
-      value += childArea * this->Values[c];
-      weighted += childArea * this->Weighted[c];
-    }
-    if (area <= 0.0)
-    {
-      continue;
-    }
-    this->Sources[id] = source / area;
-    this->Values[id] = value / area;
-    this->Weighted[id] = weighted / area;
-  }
-}
-
-void Flow::FindSpreads(const OpenTree& tree, const std::vector<Link>& links)
-{
+  matrix.AverageUp(this->Sources);
+  matrix.AverageUp(this->Values);
   // Of what arrives at each node: the variance, and the deviation by shadows, which all may fall on
   // the same part.
   std::vector<double> variances(tree.Size(), 0.0);

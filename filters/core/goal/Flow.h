@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/goal/Link.h"
+#include "core/goal/LinkMatrix.h"
 
 #include <vector>
 
@@ -29,17 +29,17 @@ public:
   /// `isBalanced` multiplies all that is received by the factor with which it balances the sources
   /// in the sum over all leaves: of the error, that takes away what is the same everywhere, which
   /// falls by the albedo only (aggregation to one unknown).
-  double Sweep(const OpenTree& tree, const std::vector<Link>& links,
-    const std::vector<double>& closure, bool isBalanced = false);
+  double Sweep(
+    const LinkMatrix& matrix, const std::vector<double>& closure, bool isBalanced = false);
 
   /// Finds what came from the sources at one go, for StraightPart(). O(links + nodes).
-  void FindStraight(
-    const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& closure);
+  void FindStraight(const LinkMatrix& matrix, const std::vector<double>& closure);
 
-  /// Finds how unevenly the values lie within nodes, for Spread(). O(links + nodes). \pre Sweep
-  void FindSpreads(const OpenTree& tree, const std::vector<Link>& links);
+  /// Finds the means of inner nodes and how unevenly the values lie within nodes, for Spread().
+  /// `links` are those of the matrix. O(links + nodes). \pre Sweep
+  void FindSpreads(const OpenTree& tree, const LinkMatrix& matrix, const std::vector<Link>& links);
 
-  /// Means over the nodes, weighted by area.
+  /// Means over the nodes, weighted by area. \pre FindSpreads, but for leaves
   const Color& Value(OpenId id) const { return this->Values[id]; }
   /// Standard deviation of the mean channel over the node: between the leaves below, and within
   /// them as the variation of their links tells. Of a leaf that is a cluster: all that it received,
@@ -53,10 +53,10 @@ public:
     this->Sources[id] = source;
     this->SourceRms[id] = rms;
   }
-  /// Of any node. \pre FindSpreads
+  /// Of any node. \pre FindSpreads, but for leaves
   double RmsOfSource(OpenId id) const { return this->SourceRms[id]; }
   const Color& Source(OpenId id) const { return this->Sources[id]; }
-  /// What came over links: Value - Source.
+  /// What came over links: Value - Source. \pre FindSpreads, but for leaves
   Color Received(OpenId id) const { return this->Values[id] - this->Sources[id]; }
 
   /// Of the mean channel of Received(), the part in [0, 1] that has been reflected once only: it
@@ -70,19 +70,17 @@ public:
   std::size_t Bytes() const;
 
 private:
-  void Receive(const Link& link, OpenId to, OpenId from, double area);
-  void PushDown(const OpenTree& tree);
-  double ScaleOfReceived(const OpenTree& tree, const std::vector<double>& closure) const;
-  double ReflectAtLeaves(const OpenTree& tree, const std::vector<double>& closure, double scale);
+  double ScaleOfReceived(const LinkMatrix& matrix, const std::vector<double>& closure) const;
+  double ReflectAtLeaves(
+    const LinkMatrix& matrix, const std::vector<double>& closure, double scale);
   double SpreadOfCluster(OpenId leaf) const;
-  void PullUp(const OpenTree& tree);
   void PullUpSpreads(const OpenTree& tree);
 
   std::vector<Color> Sources; ///< of each node
   std::vector<double> SourceRms;
   std::vector<Color> Values;
   std::vector<Color> Weighted; ///< d times value, mean
-  std::vector<Color> Incoming; ///< irradiance: from own links, then from all above, then times d
+  std::vector<Color> Incoming; ///< of leaves: irradiance, times d
   std::vector<double> Spreads;
   std::vector<double> Straight; ///< see StraightPart(), mean channel
 };

@@ -107,12 +107,14 @@ void GoalOrientedTransport::Solve()
   this->FollowTree();
   this->SetSources();
   this->Open.SumAreas();
-  CloseRows(this->Open, this->AllLinks, this->Closure);
-  this->Converge(this->RadianceFlow);
-  this->Converge(this->ImportanceFlow);
-  this->RadianceFlow.FindSpreads(this->Open, this->AllLinks);
-  this->ImportanceFlow.FindSpreads(this->Open, this->AllLinks);
-  this->ImportanceFlow.FindStraight(this->Open, this->AllLinks, this->Closure);
+  const LinkMatrix matrix(this->Open, this->AllLinks);
+  CloseRows(this->Open, matrix, this->Closure);
+  for (Flow* flow : { &this->RadianceFlow, &this->ImportanceFlow })
+  {
+    this->Converge(matrix, *flow);
+    flow->FindSpreads(this->Open, matrix, this->AllLinks);
+  }
+  this->ImportanceFlow.FindStraight(matrix, this->Closure);
   LinkErrors errors = EstimateLinkErrors(
     this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow, this->Hidden);
   this->Errors = std::move(errors.ofLink);
@@ -121,7 +123,7 @@ void GoalOrientedTransport::Solve()
   this->Estimate = errors.all > 0.0 ? errors.all / goal : 0.0;
 }
 
-void GoalOrientedTransport::Converge(Flow& flow)
+void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
 {
   // What a sweep changes falls by the same factor each time in the end: what is left to come is the
   // rest of a geometric series.
@@ -132,7 +134,7 @@ void GoalOrientedTransport::Converge(Flow& flow)
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
     ++this->Counts.sweeps;
-    const double change = flow.Sweep(this->Open, this->AllLinks, this->Closure, isBalanced);
+    const double change = flow.Sweep(matrix, this->Closure, isBalanced);
     const double slowing = lastChange - change;
     if (change == 0.0 || (change < tolerance && change * change < tolerance * slowing))
     {
@@ -145,7 +147,7 @@ void GoalOrientedTransport::Converge(Flow& flow)
   }
   // The tolerance is of one sign all over: what is left of the sum is known without sweeping on.
   ++this->Counts.sweeps;
-  flow.Sweep(this->Open, this->AllLinks, this->Closure, true);
+  flow.Sweep(matrix, this->Closure, true);
 }
 
 double GoalOrientedTransport::Goal() const

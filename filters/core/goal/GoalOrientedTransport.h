@@ -85,7 +85,7 @@ public:
 private:
   void FollowTree();
   void SetSources();
-  void Converge(Flow& flow);
+  void Converge(const LinkMatrix& matrix, Flow& flow);
   /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
   /// all surfaces matter alike.
   double Goal() const;

@@ -40,102 +40,54 @@ Range RangeOf(const OpenNode& node)
     Pi * std::min(1.0, seen + node.escapeError) };
 }
 
-/// What the links say of rows and no more, as closing goes over them again and again.
-class Rows
+/// What closing has to know of a leaf.
+struct Row
 {
-public:
-  Rows(const OpenTree& tree, const std::vector<Link>& links)
-    : Tree(tree)
-  {
-    this->Entries.reserve(links.size());
-    for (const Link& link : links)
-    {
-      if (link.throughput > 0.0)
-      {
-        const auto [a, b] = link.ends;
-        this->Entries.push_back({ a, b, link.throughput / tree[a].area,
-          link.IsSelf() ? 0.0 : link.throughput / tree[b].area });
-      }
-    }
-  }
-
-  std::vector<double> Sums(const std::vector<double>& factors) const
-  {
-    std::vector<double> sums(this->Tree.Size(), 0.0);
-    for (const Entry& entry : this->Entries)
-    {
-      sums[entry.a] += entry.ofA * factors[entry.b];
-      sums[entry.b] += entry.ofB * factors[entry.a];
-    }
-    for (OpenId id = 1; id < this->Tree.Size(); ++id)
-    {
-      sums[id] += sums[this->Tree[id].parent];
-    }
-    return sums;
-  }
-
-private:
-  struct Entry
-  {
-    OpenId a, b;
-    double ofA, ofB; ///< F_ab and F_ba
-  };
-
-  const OpenTree& Tree;
-  std::vector<Entry> Entries;
+  OpenId id;
+  double target;  ///< of the sum
+  double largest; ///< of the factor
 };
+
+/// Rows of which something is known.
+std::vector<Row> RowsOf(const OpenTree& tree, const LinkMatrix& matrix)
+{
+  const std::vector<double> sums = matrix.Times(std::vector<double>(matrix.Size(), 1.0));
+  std::vector<Row> rows;
+  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+  {
+    const OpenNode& node = tree[leaf.id];
+    const Range range = RangeOf(node);
+    if (sums[leaf.id] > 0.0)
+    {
+      rows.push_back({ leaf.id, std::clamp(sums[leaf.id], range.least, range.most),
+        node.IsUnprobed() ? 1.0 : LargestFactor });
+    }
+  }
+  return rows;
+}
 
 } // namespace
 
-std::vector<double> RowSums(
-  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& factors)
+void CloseRows(const OpenTree& tree, const LinkMatrix& matrix, std::vector<double>& closure)
 {
-  return Rows(tree, links).Sums(factors);
-}
-
-void AverageUp(const OpenTree& tree, std::vector<double>& factors)
-{
-  for (OpenId id = tree.Size(); id-- > 0;)
-  {
-    const OpenNode& node = tree[id];
-    if (node.IsLeaf() || !node.IsExposed())
-    {
-      continue;
-    }
-    double sum = 0.0;
-    for (OpenId c = node.firstChild; c < node.firstChild + node.childCount; ++c)
-    {
-      sum += tree[c].area * factors[c];
-    }
-    factors[id] = sum / node.area;
-  }
-}
-
-void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector<double>& closure)
-{
-  const Rows rows(tree, links);
-  const std::vector<double> raw = rows.Sums(std::vector<double>(tree.Size(), 1.0));
-  AverageUp(tree, closure);
+  const std::vector<Row> rows = RowsOf(tree, matrix);
+  matrix.AverageUp(closure);
   for (int iteration = 0; iteration < MostIterations; ++iteration)
   {
-    const std::vector<double> sums = rows.Sums(closure);
+    const std::vector<double> sums = matrix.Times(closure);
     double change = 0.0;
-    for (OpenId id = 0; id < tree.Size(); ++id)
+    for (const Row& row : rows)
     {
-      const OpenNode& node = tree[id];
-      if (!node.IsLeaf() || !(sums[id] > 0.0))
+      const double last = closure[row.id];
+      // Factors are never 0, but rows may be next to nothing.
+      if (sums[row.id] > 0.0)
       {
-        continue;
+        const double needed = row.target / (last * sums[row.id]);
+        closure[row.id] = std::clamp(last * Step(needed), SmallestFactor, row.largest);
+        change = std::max(change, std::abs(closure[row.id] - last));
       }
-      const Range range = RangeOf(node);
-      const double target = std::clamp(raw[id], range.least, range.most);
-      const double largest = node.IsUnprobed() ? 1.0 : LargestFactor;
-      const double needed = target / (closure[id] * sums[id]);
-      const double factor = std::clamp(closure[id] * Step(needed), SmallestFactor, largest);
-      change = std::max(change, std::abs(factor - closure[id]));
-      closure[id] = factor;
     }
-    AverageUp(tree, closure);
+    matrix.AverageUp(closure);
     if (change < Tolerance)
     {
       break;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/goal/Link.h"
+#include "core/goal/LinkMatrix.h"
 
 #include <vector>
 
@@ -19,18 +19,10 @@ namespace vantage
 /// Where light escapes, the target is known to the precision of the probes only: a row whose sum is
 /// within two standard deviations of it is left as it is, another one is brought to the border of
 /// that range. Leaves that are clusters of which nothing is known are scaled down only. d_i is kept
-/// within [0.02, 4]: what no view needs has links of a few rays, which may miss most of a row.
+/// within [0.02, 64]: what no view needs has links of a few rays, which may miss most of a row.
 ///
 /// `closure` has an entry for each open node and holds the last factors, to start from; those of
 /// inner nodes are the means of their leaves. O(links + nodes) an iteration, some ten.
-void CloseRows(const OpenTree& tree, const std::vector<Link>& links, std::vector<double>& closure);
-
-/// The sums over links of F_ik d_k for every node i, those of its ancestors included, where
-/// `factors` has a d for each open node. O(links + nodes).
-std::vector<double> RowSums(
-  const OpenTree& tree, const std::vector<Link>& links, const std::vector<double>& factors);
-
-/// Gives every inner node the mean of its leaves, weighted by area. O(nodes).
-void AverageUp(const OpenTree& tree, std::vector<double>& values);
+void CloseRows(const OpenTree& tree, const LinkMatrix& matrix, std::vector<double>& closure);
 
 } // namespace vantage

@@ -63,6 +63,7 @@ struct Graph
 
   Flow Swept(const std::vector<Color>& sources, int sweeps) const
   {
+    const LinkMatrix matrix(this->Tree(), this->Links());
     Flow flow;
     flow.Follow(this->Tree());
     for (OpenId id = 0; id < this->Tree().Size(); ++id)
@@ -74,9 +75,9 @@ struct Graph
     }
     for (int sweep = 0; sweep < sweeps; ++sweep)
     {
-      flow.Sweep(this->Tree(), this->Links(), closure);
+      flow.Sweep(matrix, closure);
     }
-    flow.FindSpreads(this->Tree(), this->Links());
+    flow.FindSpreads(this->Tree(), matrix, this->Links());
     return flow;
   }
 
@@ -158,7 +159,7 @@ TEST(Flow, SweepTellsTheRelativeChange)
   {
     before.push_back(flow.Value(id));
   }
-  const double told = flow.Sweep(graph.Tree(), graph.Links(), graph.closure);
+  const double told = flow.Sweep(LinkMatrix(graph.Tree(), graph.Links()), graph.closure);
   double change = 0.0;
   double total = 0.0;
   for (const OpenId leaf : test::LeavesOf(graph.Tree()))
@@ -223,8 +224,9 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
     flow.SetSource(tree[1].firstChild + c, Color(values[c]));
   }
   const std::vector<double> closure(tree.Size(), 1.0);
-  flow.Sweep(tree, {}, closure);
-  flow.FindSpreads(tree, {});
+  const LinkMatrix none(tree, {});
+  flow.Sweep(none, closure);
+  flow.FindSpreads(tree, none, {});
   EXPECT_EQ(flow.Value(1), Color(3.0));
   // Squares 1, 4, 9, 36 of mean 12.5.
   EXPECT_NEAR(flow.Spread(1), std::sqrt(3.5), 1e-12);
@@ -236,8 +238,9 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   link.ends = { 1, 2 };
   link.throughput = 0.2;
   link.variation = 0.1;
-  flow.Sweep(tree, { link }, closure);
-  flow.FindSpreads(tree, { link });
+  const LinkMatrix matrix(tree, { link });
+  flow.Sweep(matrix, closure);
+  flow.FindSpreads(tree, matrix, { link });
   EXPECT_NEAR(flow.Value(2).x, 0.5 / Pi * 0.2 * 3.0, 1e-12);
   EXPECT_NEAR(flow.Spread(2), 0.5 / Pi * 0.1 * 3.0, 1e-12);
   EXPECT_EQ(flow.Arriving(tree[1].firstChild), Color(0.0));
@@ -262,15 +265,18 @@ TEST(Flow, ABalancedSweepTakesAwayWhatIsTheSameEverywhere)
       flow.SetSource(id, Color(2.0));
     }
   }
-  flow.Sweep(tree, { self }, closure);
-  flow.Sweep(tree, { self }, closure);
+  const LinkMatrix matrix(tree, { self });
+  flow.Sweep(matrix, closure);
+  flow.Sweep(matrix, closure);
+  flow.FindSpreads(tree, matrix, { self });
   EXPECT_LT(flow.Value(0).x, 10.0);
   for (int sweep = 0; sweep < 5; ++sweep)
   {
-    flow.Sweep(tree, { self }, closure, true);
+    flow.Sweep(matrix, closure, true);
   }
+  flow.FindSpreads(tree, matrix, { self });
   EXPECT_NEAR(flow.Value(0).x, 2000.0, 1e-6);
-  EXPECT_LT(flow.Sweep(tree, { self }, closure), 1e-12);
+  EXPECT_LT(flow.Sweep(matrix, closure), 1e-12);
 }
 
 TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
@@ -281,8 +287,9 @@ TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
   flow.Follow(tree);
   // All of it comes from a lamp on a hundredth of the area.
   flow.SetSource(0, Color(0.1), 1.0);
-  flow.Sweep(tree, {}, { 1.0 });
-  flow.FindSpreads(tree, {});
+  const LinkMatrix matrix(tree, {});
+  flow.Sweep(matrix, { 1.0 });
+  flow.FindSpreads(tree, matrix, {});
   EXPECT_GE(flow.Spread(0), std::sqrt(1.0 - 0.1 * 0.1) - 1e-12);
 }
 

@@ -49,6 +49,7 @@ struct Fixture
 
   LinkErrors Errors(const std::vector<Link>& links)
   {
+    const LinkMatrix matrix(this->tree, links);
     const std::vector<double> closure(this->tree.Size(), 1.0);
     for (const OpenId id : this->surfaces)
     {
@@ -57,12 +58,12 @@ struct Fixture
     }
     for (int sweep = 0; sweep < 3; ++sweep)
     {
-      this->radiance.Sweep(this->tree, links, closure);
-      this->importance.Sweep(this->tree, links, closure);
+      this->radiance.Sweep(matrix, closure);
+      this->importance.Sweep(matrix, closure);
     }
-    this->radiance.FindSpreads(this->tree, links);
-    this->importance.FindSpreads(this->tree, links);
-    this->importance.FindStraight(this->tree, links, closure);
+    this->radiance.FindSpreads(this->tree, matrix, links);
+    this->importance.FindSpreads(this->tree, matrix, links);
+    this->importance.FindStraight(matrix, closure);
     return EstimateLinkErrors(this->tree, links, this->radiance, this->importance);
   }
 };
@@ -163,12 +164,13 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   importance.Follow(tree);
   radiance.SetSource(lamps, tree[lamps].emission, tree[lamps].emissionRms);
   importance.SetSource(seen, Color(0.1), 0.1); // evenly: nothing else can err
+  const LinkMatrix matrix(tree, {});
   const std::vector<double> closure(tree.Size(), 1.0);
-  radiance.Sweep(tree, {}, closure);
-  importance.Sweep(tree, {}, closure);
-  radiance.FindSpreads(tree, {});
-  importance.FindSpreads(tree, {});
-  importance.FindStraight(tree, {}, closure);
+  radiance.Sweep(matrix, closure);
+  importance.Sweep(matrix, closure);
+  radiance.FindSpreads(tree, matrix, {});
+  importance.FindSpreads(tree, matrix, {});
+  importance.FindStraight(matrix, closure);
   Link link;
   link.ends = { 1, 2 };
   link.throughput = 0.2;

@@ -85,10 +85,11 @@ struct Rounds
 
   std::vector<double> Closure(int calls = 10) const
   {
+    const LinkMatrix matrix(transport.Tree(), transport.Links());
     std::vector<double> closure(transport.Tree().Size(), 1.0);
     for (int call = 0; call < calls; ++call)
     {
-      CloseRows(transport.Tree(), transport.Links(), closure);
+      CloseRows(transport.Tree(), matrix, closure);
     }
     return closure;
   }
@@ -252,7 +253,7 @@ TEST(RowClosure, ExactLinksOfAnOpenBoxAreLeftAloneToTheBit)
 {
   const OpenBoxLinks box;
   std::vector<double> closure(box.tree.Size(), 1.0);
-  CloseRows(box.tree, box.links, closure);
+  CloseRows(box.tree, LinkMatrix(box.tree, box.links), closure);
   EXPECT_EQ(closure, std::vector<double>(box.tree.Size(), 1.0));
 }
 
@@ -266,7 +267,7 @@ TEST(RowClosure, WrongRowsOfAnOpenBoxAreBroughtToTheBorderOfWhatIsKnown)
   std::vector<double> closure(box.tree.Size(), 1.0);
   for (int call = 0; call < 5; ++call)
   {
-    CloseRows(box.tree, box.links, closure);
+    CloseRows(box.tree, LinkMatrix(box.tree, box.links), closure);
   }
   const std::vector<double> rows = ClosedRows(box.tree, box.links, closure);
   for (const OpenId leaf : test::LeavesOf(box.tree))
@@ -288,7 +289,7 @@ TEST(RowClosure, FactorsStayWithinTheirBounds)
       link.throughput *= scale;
     }
     std::vector<double> closure(box.tree.Size(), 1.0);
-    CloseRows(box.tree, links, closure);
+    CloseRows(box.tree, LinkMatrix(box.tree, links), closure);
     for (const OpenId leaf : test::LeavesOf(box.tree))
     {
       EXPECT_EQ(closure[leaf], scale < 1.0 ? Largest : Smallest);

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/goal/Link.h"
+
+#include <vector>
+
+/// \file LinkMatrix.h
+/// The matrix that links stand for.
+
+namespace vantage
+{
+
+/// F of all nodes of a tree: what a link brings is constant over its end and reaches all leaves
+/// below it, what it takes is the mean of them (Hanrahan, Salzman and Aupperle 1991). Closing rows
+/// and solving multiply by it some forty times a round, so it is packed: 24 bytes a link, and what
+/// products have to know of nodes. It is a copy: links and areas that change later change nothing.
+class LinkMatrix
+{
+public:
+  struct Leaf
+  {
+    OpenId id;
+    double area;
+    Color reflection; ///< albedo / pi
+  };
+
+  /// O(links + nodes).
+  LinkMatrix(const OpenTree& tree, const std::vector<Link>& links);
+
+  OpenId Size() const { return static_cast<OpenId>(this->Parents.size()); }
+  /// Ids ascend.
+  const std::vector<Leaf>& Leaves() const { return this->AllLeaves; }
+
+  /// For every node i the sum over links of F_ik values_k, those of its ancestors included.
+  /// O(links + nodes).
+  template <typename T>
+  std::vector<T> Times(const std::vector<T>& values) const;
+
+  /// Gives every inner node the mean of its leaves, weighted by area; those without area keep what
+  /// they have. O(nodes).
+  template <typename T>
+  void AverageUp(std::vector<T>& values) const;
+
+private:
+  struct Entry
+  {
+    OpenId a, b;
+    double ofA, ofB; ///< F_ab and F_ba; of a link of a node with itself, once
+  };
+  struct Inner
+  {
+    OpenId id, firstChild, endOfChildren;
+    double area;
+  };
+
+  std::vector<Entry> Entries;
+  std::vector<OpenId> Parents;
+  std::vector<double> Areas;
+  std::vector<Leaf> AllLeaves;
+  std::vector<Inner> Inners; ///< ids descend
+};
+
+template <typename T>
+std::vector<T> LinkMatrix::Times(const std::vector<T>& values) const
+{
+  std::vector<T> products(this->Size(), T(0.0));
+  for (const Entry& entry : this->Entries)
+  {
+    products[entry.a] += entry.ofA * values[entry.b];
+    products[entry.b] += entry.ofB * values[entry.a];
+  }
+  for (OpenId id = 1; id < this->Size(); ++id)
+  {
+    products[id] += products[this->Parents[id]];
+  }
+  return products;
+}
+
+template <typename T>
+void LinkMatrix::AverageUp(std::vector<T>& values) const
+{
+  for (const Inner& inner : this->Inners)
+  {
+    T sum(0.0);
+    for (OpenId child = inner.firstChild; child < inner.endOfChildren; ++child)
+    {
+      sum += this->Areas[child] * values[child];
+    }
+    values[inner.id] = sum / inner.area;
+  }
+}
+
+} // namespace vantage
