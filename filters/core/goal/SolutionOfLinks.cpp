@@ -102,6 +102,7 @@ private:
     const OpenNode& node = this->Tree[id];
     RadianceSolution::Element& element = this->Made.elements[id];
     element.node = node.node;
+    element.area = node.area;
     element.reflected = this->Transport.Radiance().Received(id);
     element.unnamedDirect = this->Direct[id].unnamed;
     if (!node.IsLeaf())

@@ -167,6 +167,7 @@ RadianceSolution ExtractRadianceSolution(const Transport& transport)
     }
     RadianceSolution::Element& element = solution.elements[id];
     element.node = id;
+    element.area = node.area;
     element.firstChild = node.firstChild;
     element.childCount = node.childCount;
     element.reflected = transport.Radiance(id) - optics[node.patch].emission;

@@ -59,12 +59,15 @@ struct RadianceSolution
     Color indirect{ 0.0 };
     /// Irradiance from lamps that are too far or too faint to be named, W m^-2. Of leaves only.
     Color unnamedDirect{ 0.0 };
+    double area = 0.0; ///< m^2
     NodeIndex firstChild = None;
     NodeId node = None; ///< its id in the element tree of the solver
     /// Named lamps: lamps[firstLamp .. lastLamp), ascending. Of leaves (childCount = 0) only.
     std::uint32_t firstLamp = 0;
     std::uint32_t lastLamp = 0;
     std::uint8_t childCount = 0; ///< 0 or 4: as ElementTree::Split makes them
+
+    NodeIndex EndOfChildren() const { return this->firstChild + this->childCount; }
   };
 
   std::vector<Element> elements;

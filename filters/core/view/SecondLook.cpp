@@ -2,12 +2,12 @@
 
 #include "core/math/Sampling.h"
 #include "core/view/HemisphereGather.h"
+#include "core/view/MetElements.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vantage
 {
@@ -17,8 +17,6 @@ namespace
 
 /// The solution counts as much as this number of rays: it is smooth, and they are noisy.
 constexpr double RaysOfSolution = 4.0;
-/// Hits of the surroundings of an element, after which it is one that is met often.
-constexpr std::uint32_t Often = 2;
 /// Looks that can tell of their own noise.
 constexpr std::size_t LeastLooks = 64;
 /// Bounds of the correction: what is further off is no matter of means.
@@ -31,29 +29,6 @@ struct Sum
   Color radiance{ 0.0 };
   double rays = 0.0;
 };
-
-/// Where an element lies: two levels up, or as far as there are.
-std::vector<RadianceSolution::NodeIndex> RegionsOf(const RadianceSolution& solution)
-{
-  const auto count = static_cast<RadianceSolution::NodeIndex>(solution.elements.size());
-  std::vector<RadianceSolution::NodeIndex> parents(count);
-  std::iota(parents.begin(), parents.end(), 0u);
-  for (RadianceSolution::NodeIndex id = 0; id < count; ++id)
-  {
-    const RadianceSolution::Element& element = solution.elements[id];
-    for (std::uint8_t child = 0; child < element.childCount; ++child)
-    {
-      parents[element.firstChild + child] = id;
-    }
-  }
-  std::vector<RadianceSolution::NodeIndex> regions;
-  regions.reserve(count);
-  for (const RadianceSolution::NodeIndex parent : parents)
-  {
-    regions.push_back(parents[parent]);
-  }
-  return regions;
-}
 
 } // namespace
 
@@ -68,17 +43,12 @@ SecondLook::SecondLook(const OccluderScene& occluders, const RadianceSolution& s
 
 void SecondLook::FindMet(const std::vector<Hit>& hits)
 {
-  const std::vector<RadianceSolution::NodeIndex> regions = RegionsOf(*this->Solution);
-  std::vector<std::uint32_t> times(regions.size(), 0);
+  std::vector<std::uint32_t> times(this->Solution->elements.size(), 0);
   for (const Hit& hit : hits)
   {
-    ++times[regions[this->Solution->LeafAt(hit.Patch(), hit.point)]];
+    ++times[this->Solution->LeafAt(hit.Patch(), hit.point)];
   }
-  this->IsMetOften.resize(regions.size());
-  for (RadianceSolution::NodeIndex leaf = 0; leaf < regions.size(); ++leaf)
-  {
-    this->IsMetOften[leaf] = times[regions[leaf]] >= Often;
-  }
+  this->IsMetOften = FindMetOften(*this->Solution, times);
 }
 
 void SecondLook::From(const std::vector<Hit>& hits, const LitSurfaces& surfaces)

@@ -59,7 +59,7 @@ private:
     std::uint64_t shadowRays = 0;
   };
 
-  /// Elements around which a few of the hits are.
+  /// As MetElements.h says.
   void FindMet(const std::vector<Hit>& hits);
   Look From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const;
 

@@ -44,6 +44,7 @@ struct GatherStage
       {
         RadianceSolution::Element element;
         element.node = this->tree.Patches()[p].node;
+        element.area = this->tree[element.node].area;
         element.indirect = indirect(p);
         element.lastLamp = static_cast<std::uint32_t>(this->solution.lamps.size());
         this->solution.elementOfPatch[p] =

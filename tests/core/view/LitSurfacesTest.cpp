@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vantage
@@ -350,7 +351,8 @@ TEST(SecondLook, CorrectsElementsBesideThoseThatWereMet)
   const Hit beside = Met(stage, Vec3(0.9, 0.9, 0.5), Vec3(0.0, 0.0, -1.0));
   RadianceSolution& solution = stage.solution;
   const RadianceSolution::NodeIndex whole = solution.LeafAt(floor.Patch(), floor.point);
-  const RadianceSolution::Element part = solution.elements[whole];
+  RadianceSolution::Element part = solution.elements[whole];
+  part.area *= 0.25;
   solution.elements[whole].firstChild = static_cast<std::uint32_t>(solution.elements.size());
   solution.elements[whole].childCount = 4;
   solution.elements.insert(solution.elements.end(), 4, part);
@@ -359,7 +361,13 @@ TEST(SecondLook, CorrectsElementsBesideThoseThatWereMet)
     solution.LeafAt(floor.Patch(), floor.point), solution.LeafAt(beside.Patch(), beside.point));
   LitSurfaces lit(stage.occluders, solution);
   const Color before = RadianceAt(lit, beside);
-  const SecondLook look = LookAgain(stage, HitsAllAround(stage, 120), 2, 1, lit);
+  // Of the floor, all hits are in one quarter, too few to tell that no ray gets to the others.
+  std::vector<Hit> hits = HitsAllAround(stage, 120);
+  hits.erase(std::remove_if(hits.begin(), hits.end(),
+               [&](const Hit& hit) { return hit.Patch() == floor.Patch(); }),
+    hits.end());
+  hits.insert(hits.end(), 6, floor);
+  const SecondLook look = LookAgain(stage, hits, 2, 1, lit);
   EXPECT_NEAR(look.Correction(), 1.0 / 0.8, 1e-9);                             // round-off
   EXPECT_NEAR(RadianceAt(lit, beside).y, look.Correction() * before.y, 1e-12); // round-off
 }
