@@ -122,6 +122,48 @@ TEST(HardCase, ADoorOpenedByAMillimetre)
   EXPECT_NEAR(test::RelativeToTraced(ten, 0.02, 512), 1.0, MissedAtTwo * 0.02 + 2.0 * NoiseOfTen);
 }
 
+/// Two rooms with a door between them: a black one with a lamp, and a grey one with the camera.
+Scene MakeBlackRoomNextDoor(double width)
+{
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.01), Color(0.0), true),
+    test::MakeMaterial(Color(0.7), Color(0.0), true), test::MakeMaterial(Color(0.5), Color(50.0)) };
+  for (const std::uint32_t room : { 0u, 1u })
+  {
+    const double a = room;
+    const double b = a + 1.0;
+    const double end = 2.0 * a;
+    scene.AddPolygon({ Vec3(a, 0, 0), Vec3(b, 0, 0), Vec3(b, 1, 0), Vec3(a, 1, 0) }, room);
+    scene.AddPolygon({ Vec3(a, 0, 1), Vec3(b, 0, 1), Vec3(b, 1, 1), Vec3(a, 1, 1) }, room);
+    scene.AddPolygon({ Vec3(a, 0, 0), Vec3(b, 0, 0), Vec3(b, 0, 1), Vec3(a, 0, 1) }, room);
+    scene.AddPolygon({ Vec3(a, 1, 0), Vec3(b, 1, 0), Vec3(b, 1, 1), Vec3(a, 1, 1) }, room);
+    scene.AddPolygon({ Vec3(end, 0, 0), Vec3(end, 1, 0), Vec3(end, 1, 1), Vec3(end, 0, 1) }, room);
+  }
+  scene.AddPolygon(
+    { Vec3(1, 0, 0), Vec3(1, 1.0 - width, 0), Vec3(1, 1.0 - width, 1), Vec3(1, 0, 1) }, 0);
+  scene.AddPolygon(
+    { Vec3(.4, .4, .95), Vec3(.4, .6, .95), Vec3(.6, .6, .95), Vec3(.6, .4, .95) }, 2);
+  Camera camera = test::InsideCamera();
+  camera.eye = Vec3(1.2, 0.2, 0.5);
+  camera.lookAt = Vec3(2.0, 0.6, 0.4);
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+/// The view does not need to know what the lamp does in its own room, so next to nothing is known
+/// of that; what the lamp sends through the door is known all the same.
+TEST(HardCase, ALampInABlackRoomNextDoor)
+{
+  constexpr double Missed = 1.5; // as above
+  constexpr double Noise = 0.02; // standard deviation of the slow twin over seeds
+  for (const double error : { 0.05, 0.02 })
+  {
+    EXPECT_NEAR(test::RelativeToTraced(MakeBlackRoomNextDoor(0.05), error, 256), 1.0,
+      Missed * error + 2.0 * Noise)
+      << "asked " << error;
+  }
+}
+
 /// A dark room beside a lit one: nothing can be known relative to no light at all.
 TEST(HardCase, AClosedDoor)
 {

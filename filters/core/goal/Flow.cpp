@@ -12,6 +12,23 @@ namespace
 /// Bounds of ScaleOfReceived().
 constexpr double LargestScale = 8.0;
 
+/// At the leaves, sum over all links of d_i F_ik (d value)_k.
+template <typename T>
+std::vector<T> Gathered(
+  const LinkMatrix& matrix, const Closure& closure, const OfKinds<std::vector<T>>& weighted)
+{
+  std::vector<T> received(matrix.Size(), T(0.0));
+  for (const LinkKind kind : LinkKinds)
+  {
+    const std::vector<T> sums = matrix.Times(kind, weighted[kind]);
+    for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+    {
+      received[leaf.id] += closure[kind][leaf.id] * sums[leaf.id];
+    }
+  }
+  return received;
+}
+
 } // namespace
 
 void Flow::Follow(const OpenTree& tree)
@@ -22,7 +39,10 @@ void Flow::Follow(const OpenTree& tree)
     this->Sources.emplace_back(0.0);
     this->SourceRms.push_back(0.0);
     this->Values.push_back(parent == None ? Color(0.0) : Color(this->Values[parent]));
-    this->Weighted.push_back(parent == None ? Color(0.0) : Color(this->Weighted[parent]));
+    for (std::vector<Color>& weighted : this->Weighted)
+    {
+      weighted.push_back(parent == None ? Color(0.0) : Color(weighted[parent]));
+    }
     this->Incoming.push_back(parent == None ? Color(0.0) : Color(this->Incoming[parent]));
     this->Spreads.push_back(0.0);
   }
@@ -30,34 +50,39 @@ void Flow::Follow(const OpenTree& tree)
 
 void Flow::Clear()
 {
-  for (std::size_t i = 0; i < this->Values.size(); ++i)
-  {
-    this->Values[i] = this->Weighted[i] = this->Sources[i];
-    this->Spreads[i] = 0.0;
-  }
+  this->Values = this->Sources;
+  this->Weighted = { this->Sources, this->Sources };
+  std::fill(this->Spreads.begin(), this->Spreads.end(), 0.0);
 }
 
-double Flow::Sweep(const LinkMatrix& matrix, const std::vector<double>& closure, bool isBalanced)
+double Flow::Sweep(const LinkMatrix& matrix, const Closure& closure, bool isBalanced)
 {
-  this->Incoming = matrix.Times(this->Weighted);
-  const double scale = isBalanced ? this->ScaleOfReceived(matrix, closure) : 1.0;
+  this->Incoming = Gathered(matrix, closure, this->Weighted);
+  const double scale = isBalanced ? this->ScaleOfReceived(matrix) : 1.0;
   const double change = this->ReflectAtLeaves(matrix, closure, scale);
-  matrix.AverageUp(this->Weighted);
+  for (std::vector<Color>& weighted : this->Weighted)
+  {
+    matrix.AverageUp(weighted);
+  }
   return change;
 }
 
-void Flow::FindStraight(const LinkMatrix& matrix, const std::vector<double>& closure)
+void Flow::FindStraight(const LinkMatrix& matrix, const Closure& closure)
 {
-  std::vector<double> weighted(matrix.Size(), 0.0);
-  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+  OfKinds<std::vector<double>> weighted;
+  for (const LinkKind kind : LinkKinds)
   {
-    weighted[leaf.id] = closure[leaf.id] * Mean(this->Sources[leaf.id]);
+    weighted[kind].resize(matrix.Size());
+    for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+    {
+      weighted[kind][leaf.id] = closure[kind][leaf.id] * Mean(this->Sources[leaf.id]);
+    }
+    matrix.AverageUp(weighted[kind]);
   }
-  matrix.AverageUp(weighted);
-  this->Straight = matrix.Times(weighted);
+  this->Straight = Gathered(matrix, closure, weighted);
   for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
-    this->Straight[leaf.id] *= Mean(leaf.reflection) * closure[leaf.id];
+    this->Straight[leaf.id] *= Mean(leaf.reflection);
   }
   matrix.AverageUp(this->Straight);
 }
@@ -69,32 +94,33 @@ double Flow::StraightPart(OpenId id) const
 }
 
 /// s for which s v = source + s T v in the sum over all.
-double Flow::ScaleOfReceived(const LinkMatrix& matrix, const std::vector<double>& closure) const
+double Flow::ScaleOfReceived(const LinkMatrix& matrix) const
 {
   double source = 0.0;
   double missing = 0.0;
-  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+  for (const auto& [id, area, reflection] : matrix.Leaves())
   {
-    const Color received = leaf.reflection * closure[leaf.id] * this->Incoming[leaf.id];
-    source += leaf.area * Mean(this->Sources[leaf.id]);
-    missing += leaf.area * Mean(this->Values[leaf.id] - received);
+    source += area * Mean(this->Sources[id]);
+    missing += area * Mean(this->Values[id] - reflection * this->Incoming[id]);
   }
   return missing > 0.0 ? std::clamp(source / missing, 1.0 / LargestScale, LargestScale) : 1.0;
 }
 
-double Flow::ReflectAtLeaves(
-  const LinkMatrix& matrix, const std::vector<double>& closure, double scale)
+double Flow::ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, double scale)
 {
   double change = 0.0;
   double total = 0.0;
   for (const auto& [id, area, reflection] : matrix.Leaves())
   {
-    this->Incoming[id] *= scale * closure[id];
+    this->Incoming[id] *= scale;
     const Color value = this->Sources[id] + reflection * this->Incoming[id];
     change += area * std::abs(Mean(value - this->Values[id]));
     total += area * Mean(value);
     this->Values[id] = value;
-    this->Weighted[id] = closure[id] * value;
+    for (const LinkKind kind : LinkKinds)
+    {
+      this->Weighted[kind][id] = closure[kind][id] * value;
+    }
   }
   return total > 0.0 ? change / total : 0.0;
 }
@@ -119,10 +145,11 @@ void Flow::FindSpreads(
   std::vector<double> shadows(tree.Size(), 0.0);
   for (const Link& link : links)
   {
+    const std::vector<Color>& values = this->Weighted[KindOf(tree, link)];
     for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
     {
       const OpenId to = link.ends[end];
-      const double weighted = Mean(this->Weighted[link.ends[1 - end]]) / tree[to].area;
+      const double weighted = Mean(values[link.ends[1 - end]]) / tree[to].area;
       const double deviation = link.variation * weighted;
       variances[to] += deviation * deviation;
       shadows[to] += link.shadowing * weighted;
@@ -177,7 +204,7 @@ void Flow::PullUpSpreads(const OpenTree& tree)
 
 std::size_t Flow::Bytes() const
 {
-  return this->Values.capacity() * (4 * sizeof(Color) + 3 * sizeof(double));
+  return this->Values.capacity() * (5 * sizeof(Color) + 3 * sizeof(double));
 }
 
 } // namespace vantage

@@ -12,11 +12,12 @@ namespace vantage
 
 /// Both obey the same equation, so this is written once. On every leaf i
 ///
-///     value_i = source_i + albedo_i / pi * d_i * sum over links of F_ik (d value)_k
+///     value_i = source_i + albedo_i / pi * sum over links of d_i F_ik (d value)_k
 ///
 /// where radiance L has the source E, and reflected importance Y = albedo / pi * P has the source
-/// albedo / pi * V. d is the closure (Closure.h), 1 where there is none. What a link brings is
-/// constant over its end and reaches all leaves below it; what a link takes is the mean.
+/// albedo / pi * V. d is the closure of the links' kind (RowClosure.h), 1 where there is none. What
+/// a link brings is constant over its end and reaches all leaves below it; what a link takes is the
+/// mean.
 class Flow
 {
 public:
@@ -29,11 +30,10 @@ public:
   /// `isBalanced` multiplies all that is received by the factor with which it balances the sources
   /// in the sum over all leaves: of the error, that takes away what is the same everywhere, which
   /// falls by the albedo only (aggregation to one unknown).
-  double Sweep(
-    const LinkMatrix& matrix, const std::vector<double>& closure, bool isBalanced = false);
+  double Sweep(const LinkMatrix& matrix, const Closure& closure, bool isBalanced = false);
 
   /// Finds what came from the sources at one go, for StraightPart(). O(links + nodes).
-  void FindStraight(const LinkMatrix& matrix, const std::vector<double>& closure);
+  void FindStraight(const LinkMatrix& matrix, const Closure& closure);
 
   /// Finds the means of inner nodes and how unevenly the values lie within nodes, for Spread().
   /// `links` are those of the matrix. O(links + nodes). \pre Sweep
@@ -70,17 +70,16 @@ public:
   std::size_t Bytes() const;
 
 private:
-  double ScaleOfReceived(const LinkMatrix& matrix, const std::vector<double>& closure) const;
-  double ReflectAtLeaves(
-    const LinkMatrix& matrix, const std::vector<double>& closure, double scale);
+  double ScaleOfReceived(const LinkMatrix& matrix) const;
+  double ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, double scale);
   double SpreadOfCluster(OpenId leaf) const;
   void PullUpSpreads(const OpenTree& tree);
 
   std::vector<Color> Sources; ///< of each node
   std::vector<double> SourceRms;
   std::vector<Color> Values;
-  std::vector<Color> Weighted; ///< d times value, mean
-  std::vector<Color> Incoming; ///< of leaves: irradiance, times d
+  OfKinds<std::vector<Color>> Weighted; ///< d times value, mean
+  std::vector<Color> Incoming;          ///< of leaves: irradiance, times d
   std::vector<double> Spreads;
   std::vector<double> Straight; ///< see StraightPart(), mean channel
 };

@@ -74,9 +74,12 @@ void GoalOrientedTransport::FollowTree()
 {
   this->RadianceFlow.Follow(this->Open);
   this->ImportanceFlow.Follow(this->Open);
-  for (OpenId id = static_cast<OpenId>(this->Closure.size()); id < this->Open.Size(); ++id)
+  for (OpenId id = static_cast<OpenId>(this->MaySplit.size()); id < this->Open.Size(); ++id)
   {
-    this->Closure.push_back(id == 0 ? 1.0 : this->Closure[this->Open[id].parent]);
+    for (std::vector<double>& factors : this->Factors)
+    {
+      factors.push_back(id == 0 ? 1.0 : factors[this->Open[id].parent]);
+    }
     this->MaySplit.push_back(this->IsLargeEnough(id));
   }
 }
@@ -108,13 +111,13 @@ void GoalOrientedTransport::Solve()
   this->SetSources();
   this->Open.SumAreas();
   const LinkMatrix matrix(this->Open, this->AllLinks);
-  CloseRows(this->Open, matrix, this->Closure);
+  CloseRows(this->Open, matrix, this->Factors);
   for (Flow* flow : { &this->RadianceFlow, &this->ImportanceFlow })
   {
     this->Converge(matrix, *flow);
     flow->FindSpreads(this->Open, matrix, this->AllLinks);
   }
-  this->ImportanceFlow.FindStraight(matrix, this->Closure);
+  this->ImportanceFlow.FindStraight(matrix, this->Factors);
   LinkErrors errors = EstimateLinkErrors(
     this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow, this->Hidden);
   this->Errors = std::move(errors.ofLink);
@@ -134,7 +137,7 @@ void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
     ++this->Counts.sweeps;
-    const double change = flow.Sweep(matrix, this->Closure, isBalanced);
+    const double change = flow.Sweep(matrix, this->Factors, isBalanced);
     const double slowing = lastChange - change;
     if (change == 0.0 || (change < tolerance && change * change < tolerance * slowing))
     {
@@ -147,7 +150,7 @@ void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
   }
   // The tolerance is of one sign all over: what is left of the sum is known without sweeping on.
   ++this->Counts.sweeps;
-  flow.Sweep(matrix, this->Closure, true);
+  flow.Sweep(matrix, this->Factors, true);
 }
 
 double GoalOrientedTransport::Goal() const
@@ -393,7 +396,7 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
 std::size_t GoalOrientedTransport::Bytes() const
 {
   return this->Open.Bytes() + this->AllLinks.capacity() * (sizeof(Link) + sizeof(double)) +
-         this->Closure.capacity() * sizeof(double) + this->MaySplit.capacity() / 8 +
+         2 * this->MaySplit.capacity() * sizeof(double) + this->MaySplit.capacity() / 8 +
          this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
 }
 

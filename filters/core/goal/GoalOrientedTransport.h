@@ -77,8 +77,8 @@ public:
   const std::vector<Link>& Links() const { return this->AllLinks; }
   const Flow& Radiance() const { return this->RadianceFlow; }
   const Flow& Importance() const { return this->ImportanceFlow; }
-  /// The factor d of a node (RowClosure.h).
-  double ClosureOf(OpenId id) const { return this->Closure[id]; }
+  /// The factor d of a node, of its links with surfaces (RowClosure.h).
+  double ClosureOf(OpenId id) const { return this->Factors[BetweenSurfaces][id]; }
   const GoalOrientedCounters& Counters() const { return this->Counts; }
   std::size_t Bytes() const;
 
@@ -110,7 +110,7 @@ private:
   std::vector<Link> AllLinks;
   std::vector<double> Errors; ///< LinkErrors::ofLink
   HiddenLight Hidden;
-  std::vector<double> Closure;
+  Closure Factors;
   std::vector<bool> MaySplit; ///< of each node
   Flow RadianceFlow;
   Flow ImportanceFlow;

@@ -5,15 +5,20 @@
 namespace vantage
 {
 
+LinkKind KindOf(const OpenTree& tree, const Link& link)
+{
+  return tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster() ? WithCluster
+                                                                          : BetweenSurfaces;
+}
+
 LinkMatrix::LinkMatrix(const OpenTree& tree, const std::vector<Link>& links)
 {
-  this->Entries.reserve(links.size());
   for (const Link& link : links)
   {
     if (link.throughput > 0.0)
     {
       const auto [a, b] = link.ends;
-      this->Entries.push_back({ a, b, link.throughput / tree[a].area,
+      this->Entries[KindOf(tree, link)].push_back({ a, b, link.throughput / tree[a].area,
         link.IsSelf() ? 0.0 : link.throughput / tree[b].area });
     }
   }

@@ -2,6 +2,7 @@
 
 #include "core/goal/Link.h"
 
+#include <array>
 #include <vector>
 
 /// \file LinkMatrix.h
@@ -9,6 +10,24 @@
 
 namespace vantage
 {
+
+/// Of links between surfaces only the shadows are uncertain; of those with a cluster at an end next
+/// to nothing is certain.
+enum LinkKind : std::size_t
+{
+  BetweenSurfaces,
+  WithCluster
+};
+constexpr std::array<LinkKind, 2> LinkKinds{ BetweenSurfaces, WithCluster };
+
+/// Something for each kind.
+template <typename T>
+using OfKinds = std::array<T, LinkKinds.size()>;
+
+/// The factors d of every node, for each kind of links: see RowClosure.h.
+using Closure = OfKinds<std::vector<double>>;
+
+LinkKind KindOf(const OpenTree& tree, const Link& link);
 
 /// F of all nodes of a tree: what a link brings is constant over its end and reaches all leaves
 /// below it, what it takes is the mean of them (Hanrahan, Salzman and Aupperle 1991). Closing rows
@@ -31,10 +50,10 @@ public:
   /// Ids ascend.
   const std::vector<Leaf>& Leaves() const { return this->AllLeaves; }
 
-  /// For every node i the sum over links of F_ik values_k, those of its ancestors included.
-  /// O(links + nodes).
+  /// For every node i the sum over links of a kind of F_ik values_k, those of its ancestors
+  /// included. O(links + nodes).
   template <typename T>
-  std::vector<T> Times(const std::vector<T>& values) const;
+  std::vector<T> Times(LinkKind kind, const std::vector<T>& values) const;
 
   /// Gives every inner node the mean of its leaves, weighted by area; those without area keep what
   /// they have. O(nodes).
@@ -53,7 +72,7 @@ private:
     double area;
   };
 
-  std::vector<Entry> Entries;
+  OfKinds<std::vector<Entry>> Entries;
   std::vector<OpenId> Parents;
   std::vector<double> Areas;
   std::vector<Leaf> AllLeaves;
@@ -61,10 +80,10 @@ private:
 };
 
 template <typename T>
-std::vector<T> LinkMatrix::Times(const std::vector<T>& values) const
+std::vector<T> LinkMatrix::Times(LinkKind kind, const std::vector<T>& values) const
 {
   std::vector<T> products(this->Size(), T(0.0));
-  for (const Entry& entry : this->Entries)
+  for (const Entry& entry : this->Entries[kind])
   {
     products[entry.a] += entry.ofA * values[entry.b];
     products[entry.b] += entry.ofB * values[entry.a];

@@ -32,7 +32,8 @@ struct Graph
     }
     for (OpenId id = 0; id < this->Tree().Size(); ++id)
     {
-      closure.push_back(0.8 + 0.4 * ToUnit(Hash(id)));
+      closure[BetweenSurfaces].push_back(0.8 + 0.4 * ToUnit(Hash(id)));
+      closure[WithCluster].push_back(0.5 + ToUnit(Hash(id, 1)));
     }
   }
 
@@ -83,7 +84,7 @@ struct Graph
 
   test::Stage stage;
   GoalOrientedTransport transport;
-  std::vector<double> closure;
+  Closure closure;
 };
 
 TEST(Flow, ConvergesToTheDirectSolutionOfTheSameLinks)
@@ -223,7 +224,7 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   {
     flow.SetSource(tree[1].firstChild + c, Color(values[c]));
   }
-  const std::vector<double> closure(tree.Size(), 1.0);
+  const Closure closure = test::NoClosure(tree);
   const LinkMatrix none(tree, {});
   flow.Sweep(none, closure);
   flow.FindSpreads(tree, none, {});
@@ -255,7 +256,7 @@ TEST(Flow, ABalancedSweepTakesAwayWhatIsTheSameEverywhere)
   Link self;
   self.ends = { 0, 0 };
   self.throughput = Pi * tree[0].area; // all see all: rows sum up to pi
-  const std::vector<double> closure(tree.Size(), 1.0);
+  const Closure closure = test::NoClosure(tree);
   Flow flow;
   flow.Follow(tree);
   for (OpenId id = 0; id < tree.Size(); ++id)
@@ -288,7 +289,7 @@ TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
   // All of it comes from a lamp on a hundredth of the area.
   flow.SetSource(0, Color(0.1), 1.0);
   const LinkMatrix matrix(tree, {});
-  flow.Sweep(matrix, { 1.0 });
+  flow.Sweep(matrix, test::NoClosure(tree));
   flow.FindSpreads(tree, matrix, {});
   EXPECT_GE(flow.Spread(0), std::sqrt(1.0 - 0.1 * 0.1) - 1e-12);
 }

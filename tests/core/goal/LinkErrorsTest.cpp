@@ -2,6 +2,7 @@
 
 #include "core/goal/GoalOrientedTransport.h"
 #include "core/goal/GoalScenes.h"
+#include "core/goal/SolvedLinks.h"
 #include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ struct Fixture
   LinkErrors Errors(const std::vector<Link>& links)
   {
     const LinkMatrix matrix(this->tree, links);
-    const std::vector<double> closure(this->tree.Size(), 1.0);
+    const Closure closure = test::NoClosure(this->tree);
     for (const OpenId id : this->surfaces)
     {
       this->radiance.SetSource(id, Color(id == this->surfaces[0] ? 1.0 : 0.0));
@@ -165,7 +166,7 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   radiance.SetSource(lamps, tree[lamps].emission, tree[lamps].emissionRms);
   importance.SetSource(seen, Color(0.1), 0.1); // evenly: nothing else can err
   const LinkMatrix matrix(tree, {});
-  const std::vector<double> closure(tree.Size(), 1.0);
+  const Closure closure = test::NoClosure(tree);
   radiance.Sweep(matrix, closure);
   importance.Sweep(matrix, closure);
   radiance.FindSpreads(tree, matrix, {});

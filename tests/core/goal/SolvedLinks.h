@@ -12,10 +12,17 @@
 namespace vantage::test
 {
 
+inline Closure NoClosure(const OpenTree& tree)
+{
+  const std::vector<double> ones(tree.Size(), 1.0);
+  return { ones, ones };
+}
+
 /// F_ik of the leaves as the links have it, row by row over all open nodes (0 for inner ones): a
-/// link gives all leaves below one end the mean over the leaves below the other.
+/// link gives all leaves below one end the mean over the leaves below the other, times the
+/// factors d of both.
 inline std::vector<std::vector<double>> LeafFactors(
-  const OpenTree& tree, const std::vector<Link>& links)
+  const OpenTree& tree, const std::vector<Link>& links, const Closure& closure)
 {
   std::vector<std::vector<OpenId>> leavesBelow(tree.Size());
   for (OpenId id = 0; id < tree.Size(); ++id)
@@ -28,11 +35,13 @@ inline std::vector<std::vector<double>> LeafFactors(
   std::vector<std::vector<double>> factors(tree.Size(), std::vector<double>(tree.Size(), 0.0));
   const auto add = [&](const Link& link, OpenId to, OpenId from)
   {
+    const std::vector<double>& d = closure[KindOf(tree, link)];
     for (const OpenId i : leavesBelow[to])
     {
       for (const OpenId k : leavesBelow[from])
       {
-        factors[i][k] += link.throughput / tree[to].area * tree[k].area / tree[from].area;
+        factors[i][k] +=
+          d[i] * link.throughput / tree[to].area * tree[k].area / tree[from].area * d[k];
       }
     }
   };
@@ -84,9 +93,9 @@ inline std::vector<double> SolveSystem(
 
 /// Values of all open nodes, one channel: those of leaves from the system, 0 for others.
 inline std::vector<double> SolveLeaves(const OpenTree& tree, const std::vector<Link>& links,
-  const std::vector<double>& closure, const std::vector<Color>& sources, int channel)
+  const Closure& closure, const std::vector<Color>& sources, int channel)
 {
-  const std::vector<std::vector<double>> factors = LeafFactors(tree, links);
+  const std::vector<std::vector<double>> factors = LeafFactors(tree, links, closure);
   std::vector<std::vector<double>> matrix(tree.Size(), std::vector<double>(tree.Size(), 0.0));
   std::vector<double> right(tree.Size(), 0.0);
   for (OpenId i = 0; i < tree.Size(); ++i)
@@ -95,7 +104,7 @@ inline std::vector<double> SolveLeaves(const OpenTree& tree, const std::vector<L
     right[i] = tree[i].IsLeaf() ? sources[i][channel] : 0.0;
     for (OpenId k = 0; k < tree.Size(); ++k)
     {
-      matrix[i][k] -= tree[i].albedo[channel] / Pi * closure[i] * factors[i][k] * closure[k];
+      matrix[i][k] -= tree[i].albedo[channel] / Pi * factors[i][k];
     }
   }
   return SolveSystem(std::move(matrix), std::move(right));
