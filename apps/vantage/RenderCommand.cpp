@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <tbb/global_control.h>
 
@@ -99,25 +100,40 @@ double FractionDone(const StepReport& step, const Budget& budget, const StepRepo
   return std::max({ bySteps, byTime, byError });
 }
 
+void Warn(const RenderOptions& options, const std::vector<std::string>& warnings)
+{
+  if (!options.quiet)
+  {
+    PrintWarnings(warnings);
+  }
+}
+
+/// What to do about an error that cannot be reached.
+std::string AdviceOnError(const StepReport& last)
+{
+  char percent[32];
+  std::snprintf(percent, sizeof percent, "%.2g %%", 100.0 * last.errorEstimate);
+  return std::string("solution: its error stays at ") + percent +
+         ", as elements are as small as they may be; give a smaller --minimum-element-size, a "
+         "larger "
+         "--maximum-level, or a larger --error";
+}
+
 void Solve(Solver& solver, const RenderOptions& options)
 {
   const Budget budget = options.MakeBudget();
   const StepReport before = LastStep(solver);
   ProgressBar bar(!options.quiet);
-  solver.Run(budget,
+  const RunEnd end = solver.Run(budget,
     [&](const StepReport& step)
     {
       bar.Update(FractionDone(step, budget, before),
         "step " + std::to_string(step.step) + ", " + step.phase);
       return true;
     });
-}
-
-void Warn(const RenderOptions& options, const std::vector<std::string>& warnings)
-{
-  if (!options.quiet)
+  if (end == RunEnd::Exhausted)
   {
-    PrintWarnings(warnings);
+    Warn(options, { AdviceOnError(LastStep(solver)) });
   }
 }
 

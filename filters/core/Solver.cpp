@@ -247,7 +247,7 @@ RunEnd Solver::Run(const Budget& budget, const Observer& observer)
     }
     if (!s.Advance())
     {
-      end = RunEnd::Converged;
+      end = engine.ErrorEstimate() <= goal ? RunEnd::Converged : RunEnd::Exhausted;
       break;
     }
     if (observer && !observer(s.history.back()))

@@ -80,7 +80,8 @@ enum class RunEnd
 {
   Converged,
   Budget,
-  Cancelled
+  Cancelled,
+  Exhausted ///< nothing is left to do, but the error is above what was asked for
 };
 
 /// Progressive solution of one scene. Not to be used from two threads at once; works on all
@@ -106,7 +107,8 @@ public:
   /// Observer of Run(): called after each step; returns false to stop there.
   using Observer = std::function<bool(const StepReport&)>;
 
-  /// Works until the budget is spent, the solution has converged, or the observer cancels;
+  /// Works until the budget is spent, the solution has converged or is exhausted, or the
+  /// observer cancels;
   /// a further call continues where this one stopped.
   ///
   /// Converged means StepReport::errorEstimate <= max(budget.error, 1e-13). Of the methods on a
@@ -114,8 +116,11 @@ public:
   /// where importance drives them, else of the emitted power): it says how far the interactions are
   /// solved, not how fine they are. Of goal-oriented it is the relative L1 error of a gathered
   /// picture (Gather()), and the run ends at GoalShare of budget.error, as the gather adds its own.
-  /// \throw InputError when the method needs a camera and none is set, or when goal-oriented is
-  /// given no limit at all; DivergenceError when the albedo is 1 in a closed scene.
+  /// It is exhausted when no interaction may be refined any more, as elements are as small as the
+  /// refinement settings allow; with 200,000 of them also when nine tenths of the error (its
+  /// square) lie where none may. \throw InputError when the method needs a camera and none is set,
+  /// or when goal-oriented is given no limit at all; DivergenceError when the albedo is 1 in a
+  /// closed scene.
   RunEnd Run(const Budget& budget = {}, const Observer& observer = {});
 
   const std::vector<StepReport>& History() const;

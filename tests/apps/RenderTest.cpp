@@ -204,6 +204,18 @@ TEST(Render, WithoutAnEmitterIsBlackWithAWarning)
   EXPECT_EQ(Render(folder, "-o a.exr --quiet").errors, "");
 }
 
+TEST(Render, AnErrorThatCannotBeReachedEndsWithAWarning)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const RunResult run =
+    Render(folder, "-o a.exr --error 0.001 --minimum-element-size 1 --report a.json");
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(run.ErrorLines(), 1) << run.errors;
+  EXPECT_NE(run.errors.find("--minimum-element-size"), std::string::npos) << run.errors;
+  EXPECT_GT(nlohmann::json::parse(test::ReadText(folder / "a.json"))["errorEstimate"], 0.001);
+}
+
 TEST(Render, ACameraInAWallOrOutsideIsNoError)
 {
   const TemporaryFolder folder;

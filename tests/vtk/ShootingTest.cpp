@@ -166,6 +166,19 @@ TEST(ImportanceDrivenShooting, RunsToTheErrorThatIsAskedFor)
   EXPECT_GT(HistoryOf(filter)->GetNumberOfRows(), rows);
 }
 
+TEST(ImportanceDrivenShooting, AnErrorThatCannotBeReachedEndsWithAWarning)
+{
+  const auto filter = MakeFilter();
+  ErrorRecorder recorder(filter);
+  filter->SetMethod("goal-oriented");
+  filter->SetMaximumLevel(1);
+  filter->SetSteps(VTK_ID_MAX);
+  filter->SetError(0.001);
+  filter->Update();
+  EXPECT_GT(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.001);
+  EXPECT_NE(recorder.Take().find("MinimumElementSize"), std::string::npos);
+}
+
 TEST(ImportanceDrivenShooting, GoalOrientedRunsToItsErrorAndContinues)
 {
   const auto filter = MakeFilter();

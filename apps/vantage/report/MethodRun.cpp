@@ -107,7 +107,7 @@ private:
         return spent < 1.0;
       });
     this->SolveCpu += watch.Seconds();
-    return end == RunEnd::Converged;
+    return end != RunEnd::Cancelled;
   }
 
   Measurement Begin(const std::string& picture, double budget, bool isCutShort) const

@@ -26,6 +26,11 @@ constexpr double SlowFall = 0.8;
 /// A view that is darker than this part of the mean radiance of all surfaces is black: errors are
 /// relative to that then. Six decades lie between a street in the sun and one under stars.
 constexpr double Darkness = 1e-6;
+/// Part of all errors, as squares, that links which may be refined must have, or else the estimate
+/// would hardly fall by a tenth, however many of them were. That may be wrong as long as
+/// there are clusters in which lamps hide, but not with so many links.
+constexpr double LeastGain = 0.1;
+constexpr std::size_t LinksToGiveUp = 200000;
 /// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
 
@@ -210,14 +215,7 @@ std::size_t GoalOrientedTransport::LeafCount() const
 
 std::size_t GoalOrientedTransport::Refine(double share)
 {
-  std::vector<std::uint32_t> worst;
-  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
-  {
-    if (this->Errors[i] > 0.0 && this->MayRefine(this->AllLinks[i]))
-    {
-      worst.push_back(i);
-    }
-  }
+  std::vector<std::uint32_t> worst = this->LinksToRefine();
   worst.resize(this->MoveWorstFirst(worst, share));
   std::sort(worst.begin(), worst.end());
   const std::vector<Link> refined = this->TakeOut(worst);
@@ -245,6 +243,24 @@ std::size_t GoalOrientedTransport::Refine(double share)
     }
   }
   return refined.size();
+}
+
+std::vector<std::uint32_t> GoalOrientedTransport::LinksToRefine() const
+{
+  std::vector<std::uint32_t> refinable;
+  double ofRefinable = 0.0;
+  double ofAll = 0.0;
+  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
+  {
+    ofAll += this->Errors[i];
+    if (this->Errors[i] > 0.0 && this->MayRefine(this->AllLinks[i]))
+    {
+      ofRefinable += this->Errors[i];
+      refinable.push_back(i);
+    }
+  }
+  const bool isUseless = this->AllLinks.size() > LinksToGiveUp && ofRefinable < LeastGain * ofAll;
+  return isUseless ? std::vector<std::uint32_t>() : refinable;
 }
 
 std::vector<Link> GoalOrientedTransport::TakeOut(const std::vector<std::uint32_t>& links)

@@ -61,7 +61,8 @@ public:
   /// Solves for radiance and importance on the links there are and ranks these. O(links) a sweep.
   void Solve();
   /// Replaces the links with the largest errors by finer ones, `share` of all in (0, 1]. Returns
-  /// how many. \pre Solve
+  /// how many; 0 when that is of no use any more, as elements are as small as they may be.
+  /// \pre Solve
   std::size_t Refine(double share);
 
   /// Of the relative L1 error of a gathered picture, the part that comes from the links. \pre Solve
@@ -89,6 +90,9 @@ private:
   /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
   /// all surfaces matter alike.
   double Goal() const;
+  /// Those that have an error and an end that may be split; none where there are many links and
+  /// nearly all of the error is between elements that may not.
+  std::vector<std::uint32_t> LinksToRefine() const;
   /// Puts the links with the largest errors that together have `share` of all first, in any order.
   /// Returns how many they are. O(links).
   std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;

@@ -229,12 +229,18 @@ void vtkImportanceDrivenShooting::Solve(vtkPolyData* input)
   budget.error = this->Error;
   const vantage::StepReport before =
     solver.History().empty() ? vantage::StepReport() : solver.History().back();
-  solver.Run(budget,
+  const vantage::RunEnd end = solver.Run(budget,
     [&](const vantage::StepReport& report)
     {
       this->UpdateProgress(ProgressOf(report, budget, before));
       return this->GetAbortExecute() == 0;
     });
+  if (end == vantage::RunEnd::Exhausted)
+  {
+    vtkWarningMacro(<< "solution: its error stays at " << solver.History().back().errorEstimate
+                    << ", as elements are as small as they may be; set a smaller "
+                       "MinimumElementSize, a larger MaximumLevel, or a larger Error");
+  }
 }
 
 /// Fills output port 0; returns what it shows.
