@@ -12,7 +12,7 @@ using NodeIndex = RadianceSolution::NodeIndex;
 
 /// Of a pool, so that its density is known to a third.
 constexpr std::uint32_t LeastHits = 8;
-constexpr double LeastDensity = 0.1;
+constexpr double LeastDensity = 0.01;
 
 /// The elements below a node that are in no pool further down.
 struct Pool

@@ -42,9 +42,9 @@ TEST(MetElements, WhatFewRaysReachIsNotMetOften)
 {
   const RadianceSolution solution = MakeSolution(4, 0);
   EXPECT_EQ(
-    FindMetOften(solution, { 1000, 900, 99, 0 }), (std::vector<bool>{ true, true, false, false }));
+    FindMetOften(solution, { 1000, 900, 9, 0 }), (std::vector<bool>{ true, true, false, false }));
   EXPECT_EQ(
-    FindMetOften(solution, { 1000, 900, 101, 0 }), (std::vector<bool>{ true, true, true, false }));
+    FindMetOften(solution, { 1000, 900, 11, 0 }), (std::vector<bool>{ true, true, true, false }));
 }
 
 TEST(MetElements, HowFinelyASurfaceIsCutMakesNoDifference)
