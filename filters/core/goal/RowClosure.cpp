@@ -72,28 +72,28 @@ std::vector<Row> RowsOf(const OpenTree& tree, const LinkMatrix& matrix)
   return rows;
 }
 
-/// Moves the factors of a leaf, whose links bring `sums` with them, by a step of Newton's method in
-/// their logarithms. Returns by how much they changed.
-double Move(const Row& row, const OfKinds<double>& sums, OfKinds<double*> factors)
+/// Moves the factors of a row, where `sums` are what its links bring with factors of 1 at this end,
+/// by a step of Newton's method in their logarithms. Returns by how much that changes the row.
+double Move(const Row& row, const OfKinds<std::vector<double>>& sums, Closure& closure)
 {
-  const double sum = sums[BetweenSurfaces] + sums[WithCluster];
+  const double known = closure[BetweenSurfaces][row.id] * sums[BetweenSurfaces][row.id];
+  const double unknown = closure[WithCluster][row.id] * sums[WithCluster][row.id];
+  const double sum = known + unknown;
   if (!(sum > 0.0)) // rows may be next to nothing
   {
     return 0.0;
   }
-  const double slope = (Firmness * sums[BetweenSurfaces] + sums[WithCluster]) / sum;
   const double missing = 2.0 * (row.target - sum) / (row.target + sum);
-  const double step = StepLength * missing / slope;
-  double change = 0.0;
-  for (const LinkKind kind : LinkKinds)
+  const double step = StepLength * missing * sum / (Firmness * known + unknown);
+  const auto move = [&row](double& factor, double logarithm)
   {
-    const double part =
-      0.5 * std::clamp(kind == WithCluster ? step : Firmness * step, -LongestStep, LongestStep);
-    const double last = *factors[kind];
-    *factors[kind] = std::clamp(last * (1.0 + part) / (1.0 - part), SmallestFactor, row.largest);
-    change = std::max(change, sums[kind] / sum * std::abs(*factors[kind] / last - 1.0));
-  }
-  return change;
+    const double half = 0.5 * std::clamp(logarithm, -LongestStep, LongestStep);
+    const double last = factor;
+    factor = std::clamp(last * (1.0 + half) / (1.0 - half), SmallestFactor, row.largest);
+    return std::abs(factor / last - 1.0);
+  };
+  return std::max(known / sum * move(closure[BetweenSurfaces][row.id], Firmness * step),
+    unknown / sum * move(closure[WithCluster][row.id], step));
 }
 
 } // namespace
@@ -115,12 +115,7 @@ void CloseRows(const OpenTree& tree, const LinkMatrix& matrix, Closure& closure)
     double change = 0.0;
     for (const Row& row : rows)
     {
-      const OfKinds<double*> factors{ &closure[BetweenSurfaces][row.id],
-        &closure[WithCluster][row.id] };
-      change = std::max(change, Move(row,
-                                  { *factors[BetweenSurfaces] * sums[BetweenSurfaces][row.id],
-                                    *factors[WithCluster] * sums[WithCluster][row.id] },
-                                  factors));
+      change = std::max(change, Move(row, sums, closure));
     }
     averageUp();
     if (change < Tolerance)
