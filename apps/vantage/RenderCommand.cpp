@@ -114,9 +114,8 @@ std::string AdviceOnError(const StepReport& last)
   char percent[32];
   std::snprintf(percent, sizeof percent, "%.2g %%", 100.0 * last.errorEstimate);
   return std::string("solution: its error stays at ") + percent +
-         ", as elements are as small as they may be; give a smaller --minimum-element-size, a "
-         "larger "
-         "--maximum-level, or a larger --error";
+         ", as elements are as small as they may be; give a smaller --minimum-element-size, "
+         "a larger --maximum-level, or a larger --error";
 }
 
 void Solve(Solver& solver, const RenderOptions& options)

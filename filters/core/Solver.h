@@ -108,8 +108,7 @@ public:
   using Observer = std::function<bool(const StepReport&)>;
 
   /// Works until the budget is spent, the solution has converged or is exhausted, or the
-  /// observer cancels;
-  /// a further call continues where this one stopped.
+  /// observer cancels; a further call continues where this one stopped.
   ///
   /// Converged means StepReport::errorEstimate <= max(budget.error, 1e-13). Of the methods on a
   /// fixed graph of interactions the estimate is the part that is still unshot (of the view flux

@@ -393,8 +393,7 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
   {
     const Link& link = result.link;
     throughputs.push_back(link.throughput);
-    const bool hasCluster =
-      this->Open[link.ends[0]].IsCluster() || this->Open[link.ends[1]].IsCluster();
+    const bool hasCluster = KindOf(this->Open, link) == WithCluster;
     ++(hasCluster ? this->Counts.clusterPairs : this->Counts.surfacePairs);
     this->Counts.linkRays += result.rays;
     this->Counts.certified += result.rays == 0 && !hasCluster && !result.isKnownHidden ? 1 : 0;
@@ -412,8 +411,8 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
 std::size_t GoalOrientedTransport::Bytes() const
 {
   return this->Open.Bytes() + this->AllLinks.capacity() * (sizeof(Link) + sizeof(double)) +
-         2 * this->MaySplit.capacity() * sizeof(double) + this->MaySplit.capacity() / 8 +
-         this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
+         2 * this->Factors[WithCluster].capacity() * sizeof(double) +
+         this->MaySplit.capacity() / 8 + this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
 }
 
 } // namespace vantage

@@ -32,8 +32,7 @@ double Rule(double rays)
 
 bool HiddenLight::Concerns(const OpenTree& tree, const Link& link)
 {
-  return link.visibility == 0.0 && !link.IsSelf() &&
-         (tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster());
+  return link.visibility == 0.0 && !link.IsSelf() && KindOf(tree, link) == WithCluster;
 }
 
 void HiddenLight::Learn(const Link& link, double throughput)

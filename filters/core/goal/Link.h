@@ -32,4 +32,19 @@ struct Link
   bool IsSelf() const { return this->ends[0] == this->ends[1]; }
 };
 
+/// Of links between surfaces only the shadows are uncertain; of those with a cluster at an end next
+/// to nothing is certain.
+enum LinkKind : std::size_t
+{
+  BetweenSurfaces,
+  WithCluster
+};
+constexpr std::array<LinkKind, 2> LinkKinds{ BetweenSurfaces, WithCluster };
+
+inline LinkKind KindOf(const OpenTree& tree, const Link& link)
+{
+  return tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster() ? WithCluster
+                                                                          : BetweenSurfaces;
+}
+
 } // namespace vantage

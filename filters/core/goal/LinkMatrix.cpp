@@ -5,12 +5,6 @@
 namespace vantage
 {
 
-LinkKind KindOf(const OpenTree& tree, const Link& link)
-{
-  return tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster() ? WithCluster
-                                                                          : BetweenSurfaces;
-}
-
 LinkMatrix::LinkMatrix(const OpenTree& tree, const std::vector<Link>& links)
 {
   for (const Link& link : links)

@@ -11,23 +11,12 @@
 namespace vantage
 {
 
-/// Of links between surfaces only the shadows are uncertain; of those with a cluster at an end next
-/// to nothing is certain.
-enum LinkKind : std::size_t
-{
-  BetweenSurfaces,
-  WithCluster
-};
-constexpr std::array<LinkKind, 2> LinkKinds{ BetweenSurfaces, WithCluster };
-
 /// Something for each kind.
 template <typename T>
 using OfKinds = std::array<T, LinkKinds.size()>;
 
 /// The factors d of every node, for each kind of links: see RowClosure.h.
 using Closure = OfKinds<std::vector<double>>;
-
-LinkKind KindOf(const OpenTree& tree, const Link& link);
 
 /// F of all nodes of a tree: what a link brings is constant over its end and reaches all leaves
 /// below it, what it takes is the mean of them (Hanrahan, Salzman and Aupperle 1991). Closing rows
