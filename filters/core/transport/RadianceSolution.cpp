@@ -13,16 +13,16 @@ namespace
 /// more than that.
 constexpr double NoTwist = 1e-9;
 
-/// Moves (s, t) on to the quarter of a quadrilateral that holds it and returns its number.
+/// ToQuarter() of (s, t) on a quadrilateral.
 std::uint32_t ToQuarterOfQuadrilateral(Vec2& place)
 {
   const bool right = place.x >= 0.5;
   const bool upper = place.y >= 0.5;
   place = 2.0 * place - Vec2(right ? 1.0 : 0.0, upper ? 1.0 : 0.0);
-  return upper ? (right ? 2 : 3) : (right ? 1 : 0);
+  return 2u * upper + (right != upper); // without a branch: it could not be foretold
 }
 
-/// The same with the barycentric coordinates of corners 1 and 2 of a triangle.
+/// The same of the barycentric coordinates of corners 1 and 2 of a triangle.
 std::uint32_t ToQuarterOfTriangle(Vec2& place)
 {
   if (place.x + place.y <= 0.5)
@@ -79,6 +79,11 @@ Vec2 PatchCoordinates::Bilinear(const Vec2& affine) const
   return { slope != 0.0 ? affine.x / slope : affine.x, t };
 }
 
+std::uint32_t ToQuarter(bool isTriangle, Vec2& place)
+{
+  return isTriangle ? ToQuarterOfTriangle(place) : ToQuarterOfQuadrilateral(place);
+}
+
 void RadianceSolution::SetPatches(const std::vector<PatchOptics>& optics)
 {
   this->elementOfPatch.assign(optics.size(), None);
@@ -114,8 +119,7 @@ RadianceSolution::NodeIndex RadianceSolution::LeafAt(PatchId patch, const Vec3& 
   Vec2 place = map.Of(point);
   while (element->childCount != 0)
   {
-    index = element->firstChild +
-            (map.IsTriangle() ? ToQuarterOfTriangle(place) : ToQuarterOfQuadrilateral(place));
+    index = element->firstChild + ToQuarter(map.IsTriangle(), place);
     element = &this->elements[index];
   }
   return index;

@@ -40,6 +40,10 @@ private:
   bool IsAffine = true; ///< a triangle or a parallelogram
 };
 
+/// Moves coordinates within an element on to those within the quarter of it that holds the place,
+/// and returns which child that is (ElementTree::Split). A place outside goes to one near by.
+std::uint32_t ToQuarter(bool isTriangle, Vec2& place);
+
 /// The light on all surfaces at one moment. It is plain data that refers to nothing else, so it
 /// stays valid whatever becomes of the solver that made it. Patches are numbered as in the
 /// ElementTree of the same facets.

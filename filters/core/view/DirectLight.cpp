@@ -10,6 +10,21 @@ namespace vantage
 std::vector<Color> DirectLight::At(
   PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const
 {
+  std::vector<Color> irradiance = this->OfNamed(patch, points, counters);
+  if (this->Solution->IsActive(patch))
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const auto leaf = this->Solution->LeafAt(patch, points[i]);
+      irradiance[i] += this->Solution->elements[leaf].unnamedDirect;
+    }
+  }
+  return irradiance;
+}
+
+std::vector<Color> DirectLight::OfNamed(
+  PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const
+{
   std::vector<Color> irradiance(points.size(), Color(0.0));
   if (!this->Solution->IsActive(patch))
   {
@@ -25,7 +40,6 @@ std::vector<Color> DirectLight::At(
     leaves[i] = solution.LeafAt(patch, points[i]);
     places[i] = frame.InPlane(points[i]);
     const auto& leaf = solution.elements[leaves[i]];
-    irradiance[i] = leaf.unnamedDirect;
     if (i == 0 || leaves[i] != leaves[i - 1])
     {
       lamps.insert(lamps.end(), solution.lamps.begin() + leaf.firstLamp,

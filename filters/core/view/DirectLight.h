@@ -48,6 +48,9 @@ public:
   /// a point's result depends on the others by rounding only, and not on the threads.
   std::vector<Color> At(
     PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const;
+  /// The same without the unnamed lamps.
+  std::vector<Color> OfNamed(
+    PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const;
 
 private:
   const OccluderScene* Occluders;

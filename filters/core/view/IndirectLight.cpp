@@ -39,6 +39,11 @@ constexpr double NoiseOfLook = 1.0;
 constexpr double MostNoiseOfCorrection = 1.5;
 constexpr std::uint32_t RaysOfHit = 4;
 constexpr std::uint32_t MostBatches = 4;
+/// The light of lamps is found at what a sample of rays meets. It is large enough to serve the rays
+/// of the cells to start with and some three times as many that come later, and for its own noise,
+/// of which a ray has this much relative to the light.
+constexpr double PartThatIsLit = 0.2;
+constexpr double NoiseOfLitRay = 0.4;
 /// Part of the error that may come from the interpolation: to start with, and in the end, if the
 /// estimate of the whole is not met before.
 constexpr double ShareOfModel = 0.4;
@@ -83,6 +88,7 @@ public:
   std::vector<Color> Run(IndirectReport& report)
   {
     this->LookAround(report);
+    this->LightTheMet(report);
     for (int round = 0; round <= MostRounds; ++round)
     {
       this->Measure(report);
@@ -121,6 +127,7 @@ private:
   std::vector<Hit> MeetAround(
     std::uint32_t count, std::uint32_t batch, IndirectReport& report) const;
   void LookAround(IndirectReport& report);
+  void LightTheMet(IndirectReport& report);
   void Measure(IndirectReport& report);
   std::uint64_t MeasureAt(IndirectSurface::Cell& cell, std::uint32_t index) const;
   double ErrorToCut() const;
@@ -207,6 +214,21 @@ void IndirectGatherer::LookAround(IndirectReport& report)
   look.Apply(this->Lit);
   report.gatherRays += look.Rays();
   report.shadowRays += look.ShadowRays();
+}
+
+/// Lights a sample of what rays will meet for all of them.
+void IndirectGatherer::LightTheMet(IndirectReport& report)
+{
+  double rays = 0.0;
+  for (const IndirectSurface& surface : this->Surfaces)
+  {
+    rays += static_cast<double>(surface.Cells().size()) * this->Rays;
+  }
+  const double quiet = std::pow(NoiseOfLitRay / this->Settings.error, 2);
+  const double wanted =
+    std::clamp(std::max(rays * PartThatIsLit, quiet), LeastRaysAround, MostRaysInAll);
+  const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
+  this->Lit.SetTexels(LightTexels(*this->Occluders, *this->Solution, sample, report.direct));
 }
 
 /// Gathers at the points of all cells that have not been measured.

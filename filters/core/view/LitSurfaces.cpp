@@ -88,7 +88,12 @@ LitRadiance LitSurfaces::Radiance(
   {
     return {};
   }
-  const RadianceSolution::NodeIndex leaf = solution.LeafAt(patch, hit.point);
+  const LightTexels::Place place = this->Texels.At(solution, patch, hit.point);
+  const RadianceSolution::NodeIndex leaf = place.leaf;
+  if (place.irradiance)
+  {
+    return { solution.albedo[patch] / Pi * *place.irradiance, this->OfElements[leaf], leaf };
+  }
   const RadianceSolution::Element& element = solution.elements[leaf];
   if (element.firstLamp == element.lastLamp)
   {

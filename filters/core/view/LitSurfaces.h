@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/transport/RadianceSolution.h"
+#include "core/view/LightTexels.h"
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// \file LitSurfaces.h
@@ -21,11 +23,11 @@ struct LitRadiance
 };
 
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
-/// lamps is computed at the point: closed form, times one shadow ray to each; from more than
-/// `MostLamps` so many are drawn, the more often the more they are likely to give. The rest, what
-/// reached the surface by reflections, is taken from the element. So elements need not be fine
-/// enough for the shadows and spots that lamps make.
-/// Refers to occluders and solution, which must outlive it. O(lamps) to make.
+/// lamps is looked up where there are texels, and else computed at the point: closed form, times
+/// one shadow ray to each; from more than `MostLamps` so many are drawn, the more often the more
+/// they are likely to give. The rest, what reached the surface by reflections, is taken from the
+/// element. So elements need not be fine enough for the shadows and spots that lamps make. Refers
+/// to occluders and solution, which must outlive it. O(lamps) to make.
 class LitSurfaces
 {
 public:
@@ -33,12 +35,15 @@ public:
 
   LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution);
 
-  /// An estimate: all of a lamp or nothing, as a point of it is seen that is drawn by what it
-  /// gives. So there is no noise where a lamp is hidden, or seen, as a whole. Black on an inactive
-  /// side. `index` and `seed` name the sample; those of one seed are spread well. Adds to
-  /// `shadowRays` what it traces. Pure.
+  /// An estimate: without texels, all of a lamp or nothing, as a point of it is seen that is drawn
+  /// by what it gives. So there is no noise where a lamp is hidden, or seen, as a whole. Black on
+  /// an inactive side. `index` and `seed` name the sample; those of one seed are spread well. Adds
+  /// to `shadowRays` what it traces. Pure.
   LitRadiance Radiance(
     const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
+
+  /// Of the same solution, for rays that are distributed as their sample was.
+  void SetTexels(LightTexels texels) { this->Texels = std::move(texels); }
 
   /// RadianceSolution::Element::indirect of a leaf, or what it was replaced by.
   const Color& Indirect(RadianceSolution::NodeIndex leaf) const { return this->OfElements[leaf]; }
@@ -78,6 +83,7 @@ private:
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
+  LightTexels Texels;
   std::vector<Color> OfElements; ///< indirect radiance of each
   std::vector<Lamp> Lamps;
   std::vector<std::uint32_t> LampOfEntry; ///< of each entry of RadianceSolution::lamps

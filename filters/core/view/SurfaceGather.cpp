@@ -128,7 +128,7 @@ SurfaceGather::Result SurfaceGather::Radiance(
   GatherCounts counts;
   const std::vector<Color> direct = this->Direct(points, counts);
   Result result = this->Radiance(points, direct, settings);
-  result.counts.direct = counts.direct;
+  result.counts.direct.Add(counts.direct);
   result.counts.directSeconds = counts.directSeconds;
   return result;
 }
@@ -176,6 +176,7 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
   result.counts.gatherPoints = report.gatherPoints;
   result.counts.gatherRays = report.gatherRays;
   result.counts.hitShadowRays = report.shadowRays;
+  result.counts.direct = report.direct;
   result.counts.indirectSeconds = watch.Lap();
   return result;
 }

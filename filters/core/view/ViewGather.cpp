@@ -175,6 +175,7 @@ void Gather::LightIndirectly()
     this->View.radiance.pixels[this->Samples.pixelOfPoint[i]] +=
       this->Samples.points[i].weight * result.radiance[i];
   }
+  this->Counts.direct.Add(result.counts.direct);
   GatherReport& report = this->View.report;
   report.gatherPoints = result.counts.gatherPoints;
   report.gatherRays = result.counts.gatherRays;

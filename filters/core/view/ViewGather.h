@@ -32,7 +32,7 @@ struct GatherReport
   std::uint64_t primaryRays = 0;     ///< traced from the eye
   std::uint64_t primaryLooks = 0;    ///< rays from the eye decided among a few facets, not traced
   std::uint64_t viewPoints = 0;      ///< of which the light was computed
-  std::uint64_t lampEvaluations = 0; ///< a lamp that lights a point
+  std::uint64_t lampEvaluations = 0; ///< a lamp that lights a point, seen or met by rays
   std::uint64_t cutEvaluations = 0;  ///< of these, with shadows cut out of the lamp
   std::uint64_t occluderQueries = 0; ///< for the facets between a lamp and the points of a patch
   std::uint64_t shadowRays = 0;

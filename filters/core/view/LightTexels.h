@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/transport/RadianceSolution.h"
+#include "core/view/DirectLight.h"
+#include "core/visibility/OccluderScene.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// \file LightTexels.h
+/// The light of lamps on surfaces that many rays will meet, found once for all of them.
+
+namespace vantage
+{
+
+/// Irradiance from the named lamps, as in DirectLight.h, at a sample of what rays will meet.
+/// Patches are quartered as their elements are, and further while a quarter has more than a few of
+/// the sample: these are the texels, and each has the mean of its hits. So they are small where
+/// rays are dense; and they are right in the mean over the rays, if those that come are distributed
+/// as the sample is: where half of a texel is hidden from them, that half does not count. What the
+/// light varies within texels adds to the noise of the rays. An element that the sample has missed
+/// has no texels, nor has a patch with a few hits only.
+class LightTexels
+{
+public:
+  /// None.
+  LightTexels() = default;
+  /// \param sample of what rays will meet, on active sides
+  /// \param counters get what it took
+  /// Parallel over patches, the same for any number of threads. O(patches + n log n) for n hits.
+  LightTexels(const OccluderScene& occluders, const RadianceSolution& solution,
+    const std::vector<Hit>& sample, DirectCounters& counters);
+
+  /// What is known at a point of an active patch.
+  struct Place
+  {
+    RadianceSolution::NodeIndex leaf; ///< its element
+    const Color* irradiance;          ///< W m^-2; null where there is no texel
+  };
+  /// As fast as RadianceSolution::LeafAt. \param solution the same one
+  Place At(const RadianceSolution& solution, PatchId patch, const Vec3& point) const;
+
+private:
+  /// A quadtree over a patch. A node has the mean of its hits, or, without any, that of its parent
+  /// if both lie in one element.
+  class Tree
+  {
+  public:
+    explicit Tree(const PatchCoordinates& map)
+      : Map(map)
+    {
+    }
+    /// \param root the element of the patch
+    void Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root,
+      const std::vector<Vec3>& points, const std::vector<Color>& irradiance);
+    Place At(const Vec3& point) const;
+
+  private:
+    struct Node
+    {
+      Color irradiance{ 0.0 };
+      RadianceSolution::NodeIndex leaf = None; ///< the element it lies in, if that is not split
+      std::uint32_t firstChild = None;         ///< of four
+      bool isLit = false;                      ///< there is an irradiance
+    };
+    /// A hit of the sample.
+    struct Sample
+    {
+      Vec2 place; ///< coordinates within the node it has come to
+      Color irradiance;
+      std::uint32_t quarter = 0; ///< of that node
+    };
+
+    void Build(std::uint32_t node, const RadianceSolution& solution,
+      RadianceSolution::NodeIndex element, Sample* first, Sample* last, int level);
+    void Light(std::uint32_t node, const Sample* first, const Sample* last);
+    std::uint32_t Split(std::uint32_t node);
+    std::array<Sample*, 5> Sort(Sample* first, Sample* last) const;
+
+    PatchCoordinates Map;
+    std::vector<Node> Nodes;
+  };
+
+  std::vector<std::uint32_t> TreeOfPatch; ///< index, or None
+  std::vector<Tree> Trees;
+};
+
+} // namespace vantage
