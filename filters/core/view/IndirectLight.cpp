@@ -216,7 +216,7 @@ void IndirectGatherer::LookAround(IndirectReport& report)
   report.shadowRays += look.ShadowRays();
 }
 
-/// Lights a sample of what rays will meet for all of them.
+/// Lights a sample of what rays will meet for all of them. A few rays are better off alone.
 void IndirectGatherer::LightTheMet(IndirectReport& report)
 {
   double rays = 0.0;
@@ -227,8 +227,11 @@ void IndirectGatherer::LightTheMet(IndirectReport& report)
   const double quiet = std::pow(NoiseOfLitRay / this->Settings.error, 2);
   const double wanted =
     std::clamp(std::max(rays * PartThatIsLit, quiet), LeastRaysAround, MostRaysInAll);
-  const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
-  this->Lit.SetTexels(LightTexels(*this->Occluders, *this->Solution, sample, report.direct));
+  if (wanted < rays)
+  {
+    const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
+    this->Lit.SetTexels(LightTexels(*this->Occluders, *this->Solution, sample, report.direct));
+  }
 }
 
 /// Gathers at the points of all cells that have not been measured.
