@@ -22,13 +22,8 @@ constexpr std::size_t LeastLooks = 64;
 /// Bounds of the correction: what is further off is no matter of means.
 constexpr double SmallestCorrection = 0.5;
 constexpr double LargestCorrection = 2.0;
-
-/// Sums over the rays from one element.
-struct Sum
-{
-  Color radiance{ 0.0 };
-  double rays = 0.0;
-};
+/// Of what the looks have met.
+constexpr int Readings = 3;
 
 } // namespace
 
@@ -59,28 +54,31 @@ void SecondLook::From(const std::vector<Hit>& hits, const LitSurfaces& surfaces)
   }
   const std::size_t first = this->Looks.size();
   this->Looks.resize(first + hits.size());
+  this->Seen.resize(this->Looks.size() * this->RaysOfHit, None);
   tbb::parallel_for(std::size_t(0), hits.size(),
     [&](std::size_t k) { this->Looks[first + k] = this->From(hits[k], first + k, surfaces); });
 }
 
-SecondLook::Look SecondLook::From(
-  const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const
+SecondLook::Look SecondLook::From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces)
 {
   const PatchId patch = hit.Patch();
   const Color ofRay = this->Solution->albedo[patch] / static_cast<double>(this->RaysOfHit);
   Look look;
+  look.ofRay = ofRay;
   look.leaf = this->Solution->LeafAt(patch, hit.point);
   const RadianceSolution::Element& element = this->Solution->elements[look.leaf];
-  look.fixed = this->Solution->albedo[patch] / Pi * element.unnamedDirect;
+  look.direct = this->Solution->albedo[patch] / Pi * element.unnamedDirect;
   look.solution = element.indirect;
   look.shadowRays = ForEachSeen(*this->Occluders, surfaces, patch, hit.point,
     NormalOf(*this->Occluders, patch), this->RaysOfHit, Hash(this->Seed, index),
-    [&](std::uint32_t, const LitRadiance& radiance)
+    [&](std::uint32_t ray, const LitRadiance& radiance)
     {
       const bool isMet = radiance.leaf != None && this->IsMetOften[radiance.leaf];
-      look.fixed += ofRay * radiance.direct;
+      this->Seen[index * this->RaysOfHit + ray] = radiance.leaf;
+      look.direct += ofRay * radiance.direct;
       (isMet ? look.ofMet : look.fixed) += ofRay * radiance.indirect;
     });
+  look.fixed += look.direct;
   return look;
 }
 
@@ -132,23 +130,43 @@ double SecondLook::Correction() const
   return std::clamp(1.0 + certain * (factor - 1.0), SmallestCorrection, LargestCorrection);
 }
 
+/// What the looks better they also see: so they are read once more with what they have found.
 void SecondLook::Apply(LitSurfaces& surfaces) const
 {
   const double correction = this->Correction();
-  std::vector<Sum> sums(this->IsMetOften.size()); // none where there was no look
+  std::vector<Color> known(this->IsMetOften.size());
+  for (RadianceSolution::NodeIndex leaf = 0; leaf < known.size(); ++leaf)
+  {
+    known[leaf] = (this->IsMetOften[leaf] ? correction : 1.0) * surfaces.Indirect(leaf);
+    surfaces.SetIndirect(leaf, known[leaf]);
+  }
+  for (int reading = 0; reading < Readings; ++reading)
+  {
+    const std::vector<Sum> sums = this->SumUp(surfaces);
+    for (RadianceSolution::NodeIndex leaf = 0; leaf < known.size(); ++leaf)
+    {
+      surfaces.SetIndirect(leaf,
+        (sums[leaf].radiance + RaysOfSolution * known[leaf]) / (sums[leaf].rays + RaysOfSolution));
+    }
+  }
+}
+
+/// Of each element, over the rays from it; none where there was no look.
+std::vector<SecondLook::Sum> SecondLook::SumUp(const LitSurfaces& surfaces) const
+{
+  std::vector<Sum> sums(this->IsMetOften.size());
+  auto seen = this->Seen.begin();
   for (const Look& look : this->Looks)
   {
-    Sum& sum = sums[look.leaf];
-    sum.radiance += (look.fixed + correction * look.ofMet) * double(this->RaysOfHit);
-    sum.rays += this->RaysOfHit;
+    Color radiance = look.direct;
+    for (const auto end = seen + this->RaysOfHit; seen != end; ++seen)
+    {
+      radiance += *seen != None ? look.ofRay * surfaces.Indirect(*seen) : Color(0.0);
+    }
+    sums[look.leaf].radiance += static_cast<double>(this->RaysOfHit) * radiance;
+    sums[look.leaf].rays += this->RaysOfHit;
   }
-  for (RadianceSolution::NodeIndex leaf = 0; leaf < sums.size(); ++leaf)
-  {
-    const Sum& sum = sums[leaf];
-    const Color known = (this->IsMetOften[leaf] ? correction : 1.0) * surfaces.Indirect(leaf);
-    surfaces.SetIndirect(
-      leaf, (sum.radiance + RaysOfSolution * known) / (sum.rays + RaysOfSolution));
-  }
+  return sums;
 }
 
 std::uint64_t SecondLook::ShadowRays() const

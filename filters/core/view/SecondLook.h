@@ -16,8 +16,9 @@ namespace vantage
 /// too little where both are uneven. So,
 ///
 /// - What an element has is replaced by what the rays from its points found; only what those
-///   surfaces have got by further reflections comes from elements. Where few hits tell of an
-///   element, the solution keeps its say. Elements that nothing met stay.
+///   surfaces have got by further reflections comes from elements, a few times over, bettered
+///   themselves. Where few hits tell of an element, the solution keeps its say. Elements that
+///   nothing met stay.
 /// - The indirect light of the solution should be what is reflected of that of lamps and of itself.
 ///   It be I on the elements that are met often, and D what is reflected there of all other light:
 ///   in the mean over all rays, s I = D + R s I says by which factor s it errs. So I is multiplied
@@ -52,23 +53,34 @@ private:
   /// Radiance at a point that was met, W m^-2 sr^-1.
   struct Look
   {
-    Color fixed{ 0.0 };    ///< reflected of all light but that of elements that are met often
-    Color ofMet{ 0.0 };    ///< reflected of their indirect light
+    Color ofRay{ 0.0 };    ///< part of the radiance that a ray has met which is reflected
+    Color direct{ 0.0 };   ///< reflected of the light of lamps
+    Color fixed{ 0.0 };    ///< the same and of the other light of elements that are not met often
+    Color ofMet{ 0.0 };    ///< reflected of the other light of those that are
     Color solution{ 0.0 }; ///< what the element has for both
     RadianceSolution::NodeIndex leaf = None;
     std::uint64_t shadowRays = 0;
   };
 
+  /// Over the rays from one element.
+  struct Sum
+  {
+    Color radiance{ 0.0 };
+    double rays = 0.0;
+  };
+
   /// As MetElements.h says.
   void FindMet(const std::vector<Hit>& hits);
-  Look From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces) const;
+  Look From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces);
+  std::vector<Sum> SumUp(const LitSurfaces& surfaces) const;
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
   std::uint32_t RaysOfHit;
   std::uint64_t Seed;
   std::vector<Look> Looks;
-  std::vector<bool> IsMetOften; ///< of each element
+  std::vector<RadianceSolution::NodeIndex> Seen; ///< leaf that each ray of each look met, or None
+  std::vector<bool> IsMetOften;                  ///< of each element
 };
 
 } // namespace vantage

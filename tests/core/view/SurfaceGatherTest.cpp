@@ -106,7 +106,7 @@ TEST(SurfaceGather, LightDoesNotLeakThroughWalls)
     }
     most = std::max(most, MaxChannel(result.radiance[i]));
   }
-  EXPECT_GT(most, 0.1);
+  EXPECT_GT(most, 0.05); // straight from the lamp: 0.5 / pi 6 0.04 / 0.81 = 0.047
   EXPECT_LT(result.counts.gatherPoints, points.size());
 }
 
