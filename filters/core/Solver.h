@@ -117,9 +117,10 @@ public:
   /// picture (Gather()), and the run ends at GoalShare of budget.error, as the gather adds its own.
   /// It is exhausted when no interaction may be refined any more, as elements are as small as the
   /// refinement settings allow; with 200,000 of them also when nine tenths of the error (its
-  /// square) lie where none may. \throw InputError when the method needs a camera and none is set,
-  /// or when goal-oriented is given no limit at all; DivergenceError when the albedo is 1 in a
-  /// closed scene.
+  /// square) lie where none may.
+  ///
+  /// \throw InputError when the method needs a camera and none is set, or when goal-oriented is
+  /// given no limit at all; DivergenceError when the albedo is 1 in a closed scene.
   RunEnd Run(const Budget& budget = {}, const Observer& observer = {});
 
   const std::vector<StepReport>& History() const;

@@ -10,14 +10,11 @@ namespace vantage
 std::vector<Color> DirectLight::At(
   PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const
 {
-  std::vector<Color> irradiance = this->OfNamed(patch, points, counters);
-  if (this->Solution->IsActive(patch))
+  const std::vector<RadianceSolution::NodeIndex> leaves = this->LeavesAt(patch, points);
+  std::vector<Color> irradiance = this->OfNamed(patch, points, leaves, counters);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const auto leaf = this->Solution->LeafAt(patch, points[i]);
-      irradiance[i] += this->Solution->elements[leaf].unnamedDirect;
-    }
+    irradiance[i] += this->Solution->elements[leaves[i]].unnamedDirect;
   }
   return irradiance;
 }
@@ -25,19 +22,39 @@ std::vector<Color> DirectLight::At(
 std::vector<Color> DirectLight::OfNamed(
   PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const
 {
+  return this->OfNamed(patch, points, this->LeavesAt(patch, points), counters);
+}
+
+/// None on an inactive side.
+std::vector<RadianceSolution::NodeIndex> DirectLight::LeavesAt(
+  PatchId patch, const std::vector<Vec3>& points) const
+{
+  std::vector<RadianceSolution::NodeIndex> leaves;
+  if (this->Solution->IsActive(patch))
+  {
+    leaves.reserve(points.size());
+    for (const Vec3& point : points)
+    {
+      leaves.push_back(this->Solution->LeafAt(patch, point));
+    }
+  }
+  return leaves;
+}
+
+std::vector<Color> DirectLight::OfNamed(PatchId patch, const std::vector<Vec3>& points,
+  const std::vector<RadianceSolution::NodeIndex>& leaves, DirectCounters& counters) const
+{
   std::vector<Color> irradiance(points.size(), Color(0.0));
-  if (!this->Solution->IsActive(patch))
+  if (leaves.empty())
   {
     return irradiance;
   }
   const RadianceSolution& solution = *this->Solution;
   const PatchFrame frame(ShapeOf(*this->Occluders, patch));
-  std::vector<RadianceSolution::NodeIndex> leaves(points.size());
   std::vector<Vec2> places(points.size());
   std::vector<PatchId> lamps;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    leaves[i] = solution.LeafAt(patch, points[i]);
     places[i] = frame.InPlane(points[i]);
     const auto& leaf = solution.elements[leaves[i]];
     if (i == 0 || leaves[i] != leaves[i - 1])

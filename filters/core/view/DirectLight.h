@@ -53,6 +53,11 @@ public:
     PatchId patch, const std::vector<Vec3>& points, DirectCounters& counters) const;
 
 private:
+  std::vector<RadianceSolution::NodeIndex> LeavesAt(
+    PatchId patch, const std::vector<Vec3>& points) const;
+  std::vector<Color> OfNamed(PatchId patch, const std::vector<Vec3>& points,
+    const std::vector<RadianceSolution::NodeIndex>& leaves, DirectCounters& counters) const;
+
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
 };

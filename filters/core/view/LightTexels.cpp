@@ -104,7 +104,8 @@ void LightTexels::Tree::Build(std::uint32_t node, const RadianceSolution& soluti
   {
     this->Nodes[node].leaf = id;
     this->Light(node, first, last);
-    if (last - first <= MostHits || level == MostLevels)
+    const bool isDark = element.firstLamp == element.lastLamp;
+    if (isDark || last - first <= MostHits || level == MostLevels)
     {
       return;
     }

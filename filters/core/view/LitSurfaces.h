@@ -26,8 +26,9 @@ struct LitRadiance
 /// lamps is looked up where there are texels, and else computed at the point: closed form, times
 /// one shadow ray to each; from more than `MostLamps` so many are drawn, the more often the more
 /// they are likely to give. The rest, what reached the surface by reflections, is taken from the
-/// element. So elements need not be fine enough for the shadows and spots that lamps make. Refers
-/// to occluders and solution, which must outlive it. O(lamps) to make.
+/// element. So elements need not be fine enough for the shadows and spots that lamps make.
+///
+/// Refers to occluders and solution, which must outlive it. O(lamps) to make.
 class LitSurfaces
 {
 public:
