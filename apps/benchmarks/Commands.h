@@ -17,5 +17,6 @@ void AddReferenceCommand(CLI::App& app, Command& chosen);
 void AddSceneBuildCommand(CLI::App& app, Command& chosen);
 void AddSpeedCommand(CLI::App& app, Command& chosen);
 void AddStudyCommand(CLI::App& app, Command& chosen);
+void AddWalkCommand(CLI::App& app, Command& chosen);
 
 } // namespace vantage::benchmarks

@@ -17,6 +17,7 @@ int Run(int argc, char** argv)
   vantage::benchmarks::AddSceneBuildCommand(app, chosen);
   vantage::benchmarks::AddSpeedCommand(app, chosen);
   vantage::benchmarks::AddStudyCommand(app, chosen);
+  vantage::benchmarks::AddWalkCommand(app, chosen);
   CLI11_PARSE(app, argc, argv);
   chosen();
   return 0;

@@ -72,7 +72,7 @@ std::optional<StepReport> GoalOrientedEngine::Advance()
     this->LastEstimates.clear();
   }
   this->State.Solve();
-  while (this->State.Links().size() < LeastLinks && this->State.Refine(RefinedShare) > 0)
+  while (this->State.LinkCount() < LeastLinks && this->State.Refine(RefinedShare) > 0)
   {
     this->State.Solve();
   }
@@ -90,7 +90,7 @@ StepReport GoalOrientedEngine::Report() const
   report.viewFlux = Mean(this->State.ViewFlux());
   report.errorEstimate = this->ErrorEstimate();
   report.elements = this->State.LeafCount();
-  report.interactions = this->State.Links().size();
+  report.interactions = this->State.LinkCount();
   report.work.pairRays = counters.linkRays;
   report.work.probeRays = this->State.Tree().ProbeRays();
   report.work.surfacePairs = counters.surfacePairs;

@@ -66,7 +66,7 @@ std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& 
   const auto levelOf = [&tree](OpenId id)
   { return tree.Geometry(id).IsCluster() ? InteractionRecord::ClusterLevel : tree[id].level; };
   std::vector<InteractionRecord> records;
-  records.reserve(transport.Links().size());
+  records.reserve(transport.LinkCount());
   for (const Link& link : transport.Links())
   {
     const auto power = [&](int end)

@@ -44,7 +44,8 @@ void Flow::Follow(const OpenTree& tree)
       weighted.push_back(parent == None ? Color(0.0) : Color(weighted[parent]));
     }
     this->Incoming.push_back(parent == None ? Color(0.0) : Color(this->Incoming[parent]));
-    this->Spreads.push_back(0.0);
+    this->Spreads.push_back(parent == None ? 0.0 : this->Spreads[parent]);
+    this->Straight.push_back(parent == None ? 0.0 : this->Straight[parent]);
   }
 }
 
@@ -57,7 +58,11 @@ void Flow::Clear()
 
 double Flow::Sweep(const LinkMatrix& matrix, const Closure& closure, bool isBalanced)
 {
-  this->Incoming = Gathered(matrix, closure, this->Weighted);
+  const std::vector<Color> incoming = Gathered(matrix, closure, this->Weighted);
+  for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+  {
+    this->Incoming[leaf.id] = incoming[leaf.id];
+  }
   const double scale = isBalanced ? this->ScaleOfReceived(matrix) : 1.0;
   const double change = this->ReflectAtLeaves(matrix, closure, scale);
   for (std::vector<Color>& weighted : this->Weighted)
@@ -73,16 +78,16 @@ void Flow::FindStraight(const LinkMatrix& matrix, const Closure& closure)
   for (const LinkKind kind : LinkKinds)
   {
     weighted[kind].resize(matrix.Size());
-    for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
+    for (OpenId id = 0; id < matrix.Size(); ++id)
     {
-      weighted[kind][leaf.id] = closure[kind][leaf.id] * Mean(this->Sources[leaf.id]);
+      weighted[kind][id] = closure[kind][id] * Mean(this->Sources[id]);
     }
     matrix.AverageUp(weighted[kind]);
   }
-  this->Straight = Gathered(matrix, closure, weighted);
+  const std::vector<double> incoming = Gathered(matrix, closure, weighted);
   for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
-    this->Straight[leaf.id] *= Mean(leaf.reflection);
+    this->Straight[leaf.id] = incoming[leaf.id] * Mean(leaf.reflection);
   }
   matrix.AverageUp(this->Straight);
 }
@@ -155,13 +160,13 @@ void Flow::FindSpreads(
       shadows[to] += link.shadowing * weighted;
     }
   }
-  for (OpenId id = 0; id < tree.Size(); ++id)
+  for (const auto& [id, parent] : matrix.Rows())
   {
     const OpenNode& node = tree[id];
-    if (id > 0)
+    if (parent != None)
     {
-      variances[id] += variances[node.parent];
-      shadows[id] += shadows[node.parent];
+      variances[id] += variances[parent];
+      shadows[id] += shadows[parent];
     }
     if (node.IsLeaf())
     {
@@ -170,13 +175,14 @@ void Flow::FindSpreads(
                             : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
     }
   }
-  this->PullUpSpreads(tree);
+  this->PullUpSpreads(tree, matrix);
 }
 
-void Flow::PullUpSpreads(const OpenTree& tree)
+void Flow::PullUpSpreads(const OpenTree& tree, const LinkMatrix& matrix)
 {
-  for (OpenId id = tree.Size(); id-- > 0;)
+  for (auto row = matrix.Rows().rbegin(); row != matrix.Rows().rend(); ++row)
   {
+    const OpenId id = row->id;
     const OpenNode& node = tree[id];
     if (node.IsLeaf())
     {

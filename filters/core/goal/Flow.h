@@ -17,11 +17,11 @@ namespace vantage
 /// where radiance L has the source E, and reflected importance Y = albedo / pi * P has the source
 /// albedo / pi * V. d is the closure of the links' kind (RowClosure.h), 1 where there is none. What
 /// a link brings is constant over its end and reaches all leaves below it; what a link takes is the
-/// mean.
+/// mean. Nodes that rest, of which the matrix has no rows, keep all that was found for them.
 class Flow
 {
 public:
-  /// Makes room for new nodes; they start with the value of their parent.
+  /// Makes room for new nodes; they start with what their parent has.
   void Follow(const OpenTree& tree);
 
   /// One sweep over all links (Jacobi): the values on the right are those of the last sweep.
@@ -73,7 +73,7 @@ private:
   double ScaleOfReceived(const LinkMatrix& matrix) const;
   double ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, double scale);
   double SpreadOfCluster(OpenId leaf) const;
-  void PullUpSpreads(const OpenTree& tree);
+  void PullUpSpreads(const OpenTree& tree, const LinkMatrix& matrix);
 
   std::vector<Color> Sources; ///< of each node
   std::vector<double> SourceRms;

@@ -61,6 +61,7 @@ GoalOrientedTransport::GoalOrientedTransport(ElementTree tree, const OccluderSce
 void GoalOrientedTransport::SetOptics(std::vector<PatchOptics> optics)
 {
   this->Open.SetOptics(std::move(optics));
+  this->Interactions.WakeAll();
   this->FollowTree();
   this->SetSources();
   this->RadianceFlow.Clear();
@@ -70,6 +71,7 @@ void GoalOrientedTransport::SetOptics(std::vector<PatchOptics> optics)
 void GoalOrientedTransport::SetView(std::vector<ViewSample> samples)
 {
   this->Open.SetView(std::move(samples));
+  this->Interactions.WakeAll();
   this->FollowTree();
   this->SetSources();
   this->ImportanceFlow.Clear();
@@ -79,6 +81,7 @@ void GoalOrientedTransport::FollowTree()
 {
   this->RadianceFlow.Follow(this->Open);
   this->ImportanceFlow.Follow(this->Open);
+  this->Interactions.Follow(this->Open);
   for (OpenId id = static_cast<OpenId>(this->MaySplit.size()); id < this->Open.Size(); ++id)
   {
     for (std::vector<double>& factors : this->Factors)
@@ -115,20 +118,53 @@ void GoalOrientedTransport::Solve()
   this->FollowTree();
   this->SetSources();
   this->Open.SumAreas();
-  const LinkMatrix matrix(this->Open, this->AllLinks);
+  const bool areAllAwake = this->Interactions.WakeWhenDue();
+  const std::vector<Link>& links = this->Interactions.Awake();
+  const LinkMatrix matrix(this->Open, links, this->Interactions.RestingNodes());
   CloseRows(this->Open, matrix, this->Factors);
   for (Flow* flow : { &this->RadianceFlow, &this->ImportanceFlow })
   {
     this->Converge(matrix, *flow);
-    flow->FindSpreads(this->Open, matrix, this->AllLinks);
+    flow->FindSpreads(this->Open, matrix, links);
   }
   this->ImportanceFlow.FindStraight(matrix, this->Factors);
-  LinkErrors errors = EstimateLinkErrors(
-    this->Open, this->AllLinks, this->RadianceFlow, this->ImportanceFlow, this->Hidden);
-  this->Errors = std::move(errors.ofLink);
-  const double goal = this->Goal();
+  double error = this->Rank();
+  if (areAllAwake)
+  {
+    const double ofAll = error;
+    const bool doSomeRest = this->Interactions.LetRest(this->Open, this->PartsInView());
+    error = doSomeRest ? this->Rank() : ofAll;
+    this->ErrorAtRest = std::sqrt(std::max(0.0, ofAll * ofAll - error * error));
+  }
+  error = std::hypot(error, this->ErrorAtRest);
   // Infinite where nothing is known to be lit yet.
-  this->Estimate = errors.all > 0.0 ? errors.all / goal : 0.0;
+  this->Estimate = error > 0.0 ? error / this->Goal() : 0.0;
+}
+
+double GoalOrientedTransport::Rank()
+{
+  LinkErrors errors = EstimateLinkErrors(
+    this->Open, this->Interactions.Awake(), this->RadianceFlow, this->ImportanceFlow, this->Hidden);
+  this->Errors = std::move(errors.ofLink);
+  return errors.all;
+}
+
+/// Radiance times importance, but where little light is known the view may yet find some.
+std::vector<double> GoalOrientedTransport::PartsInView() const
+{
+  const double mean = Mean(this->RadianceFlow.Value(0));
+  std::vector<double> parts(this->Open.Size(), 0.0);
+  for (OpenId id = 0; id < this->Open.Size(); ++id)
+  {
+    const OpenNode& node = this->Open[id];
+    if (node.IsLeaf())
+    {
+      const double seen = this->Settings.importance ? node.view : node.area;
+      const double importance = seen + node.area * Mean(this->ImportanceFlow.Arriving(id));
+      parts[id] = importance * (mean + Mean(this->RadianceFlow.Value(id)));
+    }
+  }
+  return parts;
 }
 
 void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
@@ -141,8 +177,7 @@ void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
   bool isBalanced = false;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
-    ++this->Counts.sweeps;
-    const double change = flow.Sweep(matrix, this->Factors, isBalanced);
+    const double change = this->Sweep(matrix, flow, isBalanced);
     const double slowing = lastChange - change;
     if (change == 0.0 || (change < tolerance && change * change < tolerance * slowing))
     {
@@ -154,8 +189,14 @@ void GoalOrientedTransport::Converge(const LinkMatrix& matrix, Flow& flow)
     isBalanced = !isBalanced && isSlow;
   }
   // The tolerance is of one sign all over: what is left of the sum is known without sweeping on.
+  this->Sweep(matrix, flow, true);
+}
+
+double GoalOrientedTransport::Sweep(const LinkMatrix& matrix, Flow& flow, bool isBalanced)
+{
   ++this->Counts.sweeps;
-  flow.Sweep(matrix, this->Factors, true);
+  this->Counts.sweptLinks += this->Interactions.Awake().size();
+  return flow.Sweep(matrix, this->Factors, isBalanced);
 }
 
 double GoalOrientedTransport::Goal() const
@@ -216,9 +257,15 @@ std::size_t GoalOrientedTransport::LeafCount() const
 std::size_t GoalOrientedTransport::Refine(double share)
 {
   std::vector<std::uint32_t> worst = this->LinksToRefine();
+  if (worst.empty() && this->Interactions.DoSomeRest())
+  {
+    this->Interactions.WakeAll();
+    this->Rank();
+    worst = this->LinksToRefine();
+  }
   worst.resize(this->MoveWorstFirst(worst, share));
   std::sort(worst.begin(), worst.end());
-  const std::vector<Link> refined = this->TakeOut(worst);
+  const std::vector<Link> refined = this->Interactions.TakeOut(worst);
   std::vector<LinkRequest> requests;
   std::vector<std::size_t> ends; ///< in the requests, of what replaces each
   for (const Link& link : refined)
@@ -250,37 +297,18 @@ std::vector<std::uint32_t> GoalOrientedTransport::LinksToRefine() const
   std::vector<std::uint32_t> refinable;
   double ofRefinable = 0.0;
   double ofAll = 0.0;
-  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
+  for (std::uint32_t i = 0; i < this->Errors.size(); ++i)
   {
     ofAll += this->Errors[i];
-    if (this->Errors[i] > 0.0 && this->MayRefine(this->AllLinks[i]))
+    if (this->Errors[i] > 0.0 && this->MayRefine(this->Interactions.Awake()[i]))
     {
       ofRefinable += this->Errors[i];
       refinable.push_back(i);
     }
   }
-  const bool isUseless = this->AllLinks.size() > LinksToGiveUp && ofRefinable < LeastGain * ofAll;
+  const bool isUseless =
+    this->Interactions.Size() > LinksToGiveUp && ofRefinable < LeastGain * ofAll;
   return isUseless ? std::vector<std::uint32_t>() : refinable;
-}
-
-std::vector<Link> GoalOrientedTransport::TakeOut(const std::vector<std::uint32_t>& links)
-{
-  std::vector<Link> taken;
-  taken.reserve(links.size());
-  std::size_t kept = 0;
-  for (std::uint32_t i = 0; i < this->AllLinks.size(); ++i)
-  {
-    if (taken.size() < links.size() && links[taken.size()] == i)
-    {
-      taken.push_back(this->AllLinks[i]);
-    }
-    else
-    {
-      this->AllLinks[kept++] = this->AllLinks[i];
-    }
-  }
-  this->AllLinks.resize(kept);
-  return taken;
 }
 
 std::size_t GoalOrientedTransport::MoveWorstFirst(
@@ -389,9 +417,10 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
   throughputs.reserve(requests.size());
   tbb::parallel_for(std::size_t(0), requests.size(),
     [&](std::size_t i) { made[i] = this->Evaluator.Evaluate(requests[i]); });
-  for (const EvaluatedLink& result : made)
+  for (EvaluatedLink& result : made)
   {
-    const Link& link = result.link;
+    Link& link = result.link;
+    link.step = this->Counts.rounds;
     throughputs.push_back(link.throughput);
     const bool hasCluster = KindOf(this->Open, link) == WithCluster;
     ++(hasCluster ? this->Counts.clusterPairs : this->Counts.surfacePairs);
@@ -402,15 +431,15 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
       ++this->Counts.hidden;
       continue;
     }
-    this->AllLinks.push_back(link);
-    this->AllLinks.back().step = this->Counts.rounds;
+    this->Interactions.Add(link);
   }
   return throughputs;
 }
 
 std::size_t GoalOrientedTransport::Bytes() const
 {
-  return this->Open.Bytes() + this->AllLinks.capacity() * (sizeof(Link) + sizeof(double)) +
+  return this->Open.Bytes() + this->Interactions.Bytes() +
+         this->Errors.capacity() * sizeof(double) +
          2 * this->Factors[WithCluster].capacity() * sizeof(double) +
          this->MaySplit.capacity() / 8 + this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
 }

@@ -3,6 +3,7 @@
 #include "core/goal/Flow.h"
 #include "core/goal/HiddenLight.h"
 #include "core/goal/LinkEvaluator.h"
+#include "core/goal/LinkSet.h"
 
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,7 @@ struct GoalOrientedCounters
   std::uint64_t certified = 0; ///< whose visibility was taken over from their parent
   std::uint64_t hidden = 0;    ///< dropped: nothing passes
   std::uint64_t sweeps = 0;
+  std::uint64_t sweptLinks = 0; ///< that sweeps have gone over
   std::uint32_t rounds = 0;
 };
 
@@ -58,7 +60,8 @@ public:
   /// Another view: importance starts anew, radiance and links stay.
   void SetView(std::vector<ViewSample> samples);
 
-  /// Solves for radiance and importance on the links there are and ranks these. O(links) a sweep.
+  /// Solves for radiance and importance on the links there are and ranks these. O(links) a sweep;
+  /// in most calls those that rest (LinkSet.h) do not take part.
   void Solve();
   /// Replaces the links with the largest errors by finer ones, `share` of all in (0, 1]. Returns
   /// how many; 0 when that is of no use any more, as elements are as small as they may be.
@@ -75,7 +78,9 @@ public:
   std::size_t LeafCount() const;
 
   const OpenTree& Tree() const { return this->Open; }
-  const std::vector<Link>& Links() const { return this->AllLinks; }
+  /// A copy.
+  std::vector<Link> Links() const { return this->Interactions.All(); }
+  std::size_t LinkCount() const { return this->Interactions.Size(); }
   const Flow& Radiance() const { return this->RadianceFlow; }
   const Flow& Importance() const { return this->ImportanceFlow; }
   /// The factor d of a node, of its links with surfaces (RowClosure.h).
@@ -87,6 +92,12 @@ private:
   void FollowTree();
   void SetSources();
   void Converge(const LinkMatrix& matrix, Flow& flow);
+  double Sweep(const LinkMatrix& matrix, Flow& flow, bool isBalanced);
+  /// Finds the errors of the links that are awake. Returns that of all of them, in the unit of the
+  /// view flux.
+  double Rank();
+  /// In the unit of the view flux as well, of each leaf.
+  std::vector<double> PartsInView() const;
   /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
   /// all surfaces matter alike.
   double Goal() const;
@@ -96,8 +107,6 @@ private:
   /// Puts the links with the largest errors that together have `share` of all first, in any order.
   /// Returns how many they are. O(links).
   std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;
-  /// Removes links, given in ascending order, and returns them.
-  std::vector<Link> TakeOut(const std::vector<std::uint32_t>& links);
   bool IsLargeEnough(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;
@@ -111,8 +120,9 @@ private:
   GoalOrientedSettings Settings;
   double MinimumLength;
   LinkEvaluator Evaluator;
-  std::vector<Link> AllLinks;
-  std::vector<double> Errors; ///< LinkErrors::ofLink
+  LinkSet Interactions;
+  std::vector<double> Errors; ///< LinkErrors::ofLink, of those that are awake
+  double ErrorAtRest = 0.0;   ///< what the others add to that, as squares
   HiddenLight Hidden;
   Closure Factors;
   std::vector<bool> MaySplit; ///< of each node

@@ -5,7 +5,8 @@
 namespace vantage
 {
 
-LinkMatrix::LinkMatrix(const OpenTree& tree, const std::vector<Link>& links)
+LinkMatrix::LinkMatrix(
+  const OpenTree& tree, const std::vector<Link>& links, const std::vector<bool>& resting)
 {
   for (const Link& link : links)
   {
@@ -16,28 +17,31 @@ LinkMatrix::LinkMatrix(const OpenTree& tree, const std::vector<Link>& links)
         link.IsSelf() ? 0.0 : link.throughput / tree[b].area });
     }
   }
-  this->Parents.reserve(tree.Size());
   this->Areas.reserve(tree.Size());
   for (OpenId id = 0; id < tree.Size(); ++id)
   {
     const OpenNode& node = tree[id];
-    this->Parents.push_back(node.parent);
     this->Areas.push_back(node.area);
+    if (!resting.empty() && resting[id])
+    {
+      continue;
+    }
+    this->AllRows.push_back({ id, node.parent });
     if (node.IsLeaf())
     {
       this->AllLeaves.push_back({ id, node.area, node.albedo / Pi });
     }
   }
-  for (OpenId id = tree.Size(); id-- > 0;)
+  for (auto row = this->AllRows.rbegin(); row != this->AllRows.rend(); ++row)
   {
-    const OpenNode& node = tree[id];
+    const OpenNode& node = tree[row->id];
     const OpenId end = node.firstChild + node.childCount;
     const double area = node.IsLeaf() ? 0.0
                                       : std::accumulate(this->Areas.begin() + node.firstChild,
                                           this->Areas.begin() + end, 0.0);
     if (area > 0.0)
     {
-      this->Inners.push_back({ id, node.firstChild, end, area });
+      this->Inners.push_back({ row->id, node.firstChild, end, area });
     }
   }
 }

@@ -22,6 +22,9 @@ using Closure = OfKinds<std::vector<double>>;
 /// below it, what it takes is the mean of them (Hanrahan, Salzman and Aupperle 1991). Closing rows
 /// and solving multiply by it some forty times a round, so it is packed: 24 bytes a link, and what
 /// products have to know of nodes. It is a copy: links and areas that change later change nothing.
+///
+/// Nodes may rest (LinkSet.h): they have no rows, so what is multiplied by the matrix is read at
+/// them and nothing is found for them.
 class LinkMatrix
 {
 public:
@@ -32,20 +35,30 @@ public:
     Color reflection; ///< albedo / pi
   };
 
-  /// O(links + nodes).
-  LinkMatrix(const OpenTree& tree, const std::vector<Link>& links);
+  struct Row
+  {
+    OpenId id;
+    OpenId parent; ///< None of the root
+  };
 
-  OpenId Size() const { return static_cast<OpenId>(this->Parents.size()); }
-  /// Ids ascend.
+  /// `resting` of each node; none rests when it is empty. `links` are all that have an end which
+  /// does not rest. O(links + nodes).
+  LinkMatrix(
+    const OpenTree& tree, const std::vector<Link>& links, const std::vector<bool>& resting = {});
+
+  OpenId Size() const { return static_cast<OpenId>(this->Areas.size()); }
+  /// The nodes that do not rest; ids ascend.
+  const std::vector<Row>& Rows() const { return this->AllRows; }
+  /// Those of them that are leaves; ids ascend.
   const std::vector<Leaf>& Leaves() const { return this->AllLeaves; }
 
-  /// For every node i the sum over links of a kind of F_ik values_k, those of its ancestors
+  /// For every row i the sum over links of a kind of F_ik values_k, those of its ancestors
   /// included. O(links + nodes).
   template <typename T>
   std::vector<T> Times(LinkKind kind, const std::vector<T>& values) const;
 
-  /// Gives every inner node the mean of its leaves, weighted by area; those without area keep what
-  /// they have. O(nodes).
+  /// Gives every row of an inner node the mean of its leaves, weighted by area; those without area
+  /// keep what they have. O(rows).
   template <typename T>
   void AverageUp(std::vector<T>& values) const;
 
@@ -62,8 +75,8 @@ private:
   };
 
   OfKinds<std::vector<Entry>> Entries;
-  std::vector<OpenId> Parents;
-  std::vector<double> Areas;
+  std::vector<Row> AllRows;
+  std::vector<double> Areas; ///< of all nodes
   std::vector<Leaf> AllLeaves;
   std::vector<Inner> Inners; ///< ids descend
 };
@@ -77,9 +90,12 @@ std::vector<T> LinkMatrix::Times(LinkKind kind, const std::vector<T>& values) co
     products[entry.a] += entry.ofA * values[entry.b];
     products[entry.b] += entry.ofB * values[entry.a];
   }
-  for (OpenId id = 1; id < this->Size(); ++id)
+  for (const Row& row : this->AllRows)
   {
-    products[id] += products[this->Parents[id]];
+    if (row.parent != None)
+    {
+      products[row.id] += products[row.parent];
+    }
   }
   return products;
 }

@@ -38,7 +38,7 @@ struct Graph
   }
 
   const OpenTree& Tree() const { return this->transport.Tree(); }
-  const std::vector<Link>& Links() const { return this->transport.Links(); }
+  std::vector<Link> Links() const { return this->transport.Links(); }
 
   std::vector<Color> Emission() const
   {
@@ -245,6 +245,48 @@ TEST(Flow, SpreadIsThatOfTheLeavesAndWithinThem)
   EXPECT_NEAR(flow.Value(2).x, 0.5 / Pi * 0.2 * 3.0, 1e-12);
   EXPECT_NEAR(flow.Spread(2), 0.5 / Pi * 0.1 * 3.0, 1e-12);
   EXPECT_EQ(flow.Arriving(tree[1].firstChild), Color(0.0));
+}
+
+TEST(Flow, LeavesThatRestKeepTheirValuesAndAreReadByOthers)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Graph graph(test::MakeRandomScene(seed));
+    const OpenTree& tree = graph.Tree();
+    std::vector<Color> sources = graph.Emission();
+    Flow flow = graph.Swept(sources, 400);
+    std::vector<bool> rests(tree.Size(), false);
+    std::vector<double> right(tree.Size(), 0.0);
+    for (const OpenId leaf : test::LeavesOf(tree))
+    {
+      rests[leaf] = Hash(leaf, seed) % 2 == 0;
+      sources[leaf] += rests[leaf] ? 0.0 : 1.0;
+      flow.SetSource(leaf, sources[leaf]);
+      right[leaf] = rests[leaf] ? flow.Value(leaf).x : sources[leaf].x;
+    }
+    const LinkMatrix matrix(tree, graph.Links(), rests);
+    for (int sweep = 0; sweep < 400; ++sweep)
+    {
+      flow.Sweep(matrix, graph.closure);
+    }
+    // The same equation with the rows of what rests replaced by what is known of it.
+    const auto factors = test::LeafFactors(tree, graph.Links(), graph.closure);
+    std::vector<std::vector<double>> system(tree.Size(), std::vector<double>(tree.Size(), 0.0));
+    for (OpenId i = 0; i < tree.Size(); ++i)
+    {
+      system[i][i] = 1.0;
+      for (OpenId k = 0; k < tree.Size() && !rests[i]; ++k)
+      {
+        system[i][k] -= tree[i].albedo.x / Pi * factors[i][k];
+      }
+    }
+    const std::vector<double> expected = test::SolveSystem(std::move(system), right);
+    for (const OpenId leaf : test::LeavesOf(tree))
+    {
+      ASSERT_NEAR(flow.Value(leaf).x, expected[leaf], 1e-9) << "node " << leaf;
+    }
+  }
 }
 
 TEST(Flow, ABalancedSweepTakesAwayWhatIsTheSameEverywhere)

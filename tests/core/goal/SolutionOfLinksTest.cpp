@@ -72,7 +72,7 @@ TEST(SolutionOfLinks, BeforeAnythingWasLookedIntoAllLightIsUnnamed)
 {
   const Solved s(test::MakeFurnishedRoom(), 0);
   ASSERT_EQ(s.solution.elements.size(), 1u);
-  const Link& link = s.transport.Links()[0];
+  const Link link = s.transport.Links()[0];
   const Color expected = link.throughput / s.Tree()[0].area * s.Tree()[0].emission;
   EXPECT_NEAR(glm::length(s.solution.elements[0].unnamedDirect - expected), 0.0, 1e-12);
   EXPECT_TRUE(s.solution.lamps.empty());
