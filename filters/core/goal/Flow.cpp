@@ -31,6 +31,12 @@ std::vector<T> Gathered(
 
 } // namespace
 
+double SpreadOfCluster(double source, double rmsOfSource, double received)
+{
+  const double ofSource = std::sqrt(std::max(0.0, rmsOfSource * rmsOfSource - source * source));
+  return std::hypot(ofSource, received);
+}
+
 void Flow::Follow(const OpenTree& tree)
 {
   for (OpenId id = static_cast<OpenId>(this->Values.size()); id < tree.Size(); ++id)
@@ -130,15 +136,6 @@ double Flow::ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, d
   return total > 0.0 ? change / total : 0.0;
 }
 
-/// What a cluster received may have come to a part of it only, and not to where its sources are.
-double Flow::SpreadOfCluster(OpenId leaf) const
-{
-  const double rms = this->SourceRms[leaf];
-  const double mean = Mean(this->Sources[leaf]);
-  const double ofSource = std::sqrt(std::max(0.0, rms * rms - mean * mean));
-  return std::hypot(ofSource, Mean(this->Received(leaf)));
-}
-
 void Flow::FindSpreads(
   const OpenTree& tree, const LinkMatrix& matrix, const std::vector<Link>& links)
 {
@@ -170,9 +167,10 @@ void Flow::FindSpreads(
     }
     if (node.IsLeaf())
     {
-      this->Spreads[id] = node.IsCluster()
-                            ? this->SpreadOfCluster(id)
-                            : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
+      this->Spreads[id] =
+        node.IsCluster()
+          ? SpreadOfCluster(Mean(this->Sources[id]), this->SourceRms[id], Mean(this->Received(id)))
+          : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
     }
   }
   this->PullUpSpreads(tree, matrix);

@@ -10,6 +10,10 @@
 namespace vantage
 {
 
+/// Spread of a cluster that nobody looked into: what it received may have come to a part of it
+/// only, and not to where its sources are, of which the mean and the root mean square are known.
+double SpreadOfCluster(double source, double rmsOfSource, double received);
+
 /// Both obey the same equation, so this is written once. On every leaf i
 ///
 ///     value_i = source_i + albedo_i / pi * sum over links of d_i F_ik (d value)_k
@@ -72,7 +76,6 @@ public:
 private:
   double ScaleOfReceived(const LinkMatrix& matrix) const;
   double ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, double scale);
-  double SpreadOfCluster(OpenId leaf) const;
   void PullUpSpreads(const OpenTree& tree, const LinkMatrix& matrix);
 
   std::vector<Color> Sources; ///< of each node

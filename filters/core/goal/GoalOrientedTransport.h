@@ -2,6 +2,7 @@
 
 #include "core/goal/Flow.h"
 #include "core/goal/HiddenLight.h"
+#include "core/goal/LinkErrors.h"
 #include "core/goal/LinkEvaluator.h"
 #include "core/goal/LinkSet.h"
 
@@ -63,9 +64,9 @@ public:
   /// Solves for radiance and importance on the links there are and ranks these. O(links) a sweep;
   /// in most calls those that rest (LinkSet.h) do not take part.
   void Solve();
-  /// Replaces the links with the largest errors by finer ones, `share` of all in (0, 1]. Returns
-  /// how many; 0 when that is of no use any more, as elements are as small as they may be.
-  /// \pre Solve
+  /// Replaces the links with the largest errors by finer ones, `share` of all in (0, 1], and those
+  /// among these again from which errors as large are to be expected. Returns how many; 0 when
+  /// that is of no use any more, as elements are as small as they may be. \pre Solve
   std::size_t Refine(double share);
 
   /// Of the relative L1 error of a gathered picture, the part that comes from the links. \pre Solve
@@ -89,13 +90,14 @@ public:
   std::size_t Bytes() const;
 
 private:
+  /// Makes room for what is known of new nodes.
   void FollowTree();
+  void SetSource(OpenId id);
   void SetSources();
   void Converge(const LinkMatrix& matrix, Flow& flow);
   double Sweep(const LinkMatrix& matrix, Flow& flow, bool isBalanced);
-  /// Finds the errors of the links that are awake. Returns that of all of them, in the unit of the
-  /// view flux.
-  double Rank();
+  /// Finds the errors of the links that are awake.
+  void Rank();
   /// In the unit of the view flux as well, of each leaf.
   std::vector<double> PartsInView() const;
   /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
@@ -110,6 +112,13 @@ private:
   bool IsLargeEnough(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;
+  /// Of some links, or the mean of all when that is larger.
+  double LeastError(const std::vector<std::uint32_t>& links) const;
+  /// Makes the finer links that stand for some that were taken out.
+  void Replace(const std::vector<Link>& links);
+  /// Takes out those from a place on that may be refined and are to be expected to have errors of
+  /// `least` or more.
+  std::vector<Link> TakeOutBad(std::size_t first, double least);
   void AppendRequests(const Link& link, std::vector<LinkRequest>& requests);
   std::vector<OpenId> Parts(OpenId id, bool isSplit);
   /// Returns the throughput of each.
@@ -121,8 +130,8 @@ private:
   double MinimumLength;
   LinkEvaluator Evaluator;
   LinkSet Interactions;
-  std::vector<double> Errors; ///< LinkErrors::ofLink, of those that are awake
-  double ErrorAtRest = 0.0;   ///< what the others add to that, as squares
+  LinkErrors Errors;        ///< of those that are awake
+  double ErrorAtRest = 0.0; ///< what the others add to that, as squares
   HiddenLight Hidden;
   Closure Factors;
   std::vector<bool> MaySplit; ///< of each node

@@ -1,5 +1,6 @@
 #include "core/goal/LinkErrors.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,22 @@ constexpr double OfUnnamed = 0.325;
 constexpr double OfNode = 0.78;
 constexpr double OfAllNodes = 0.0156;
 
-/// The parts of the error of one link.
-struct Parts
+double Square(double x)
+{
+  return x * x;
+}
+
+/// (sum)^2 - (sum - part)^2, of squares that have a factor. A link that was made since is not in
+/// the sum yet.
+double Loss(double factor, double sum, double part)
+{
+  return Square(factor) * part * (2.0 * std::max(sum, part) - part);
+}
+
+} // namespace
+
+/// Of the error of one link.
+struct LinkErrors::Parts
 {
   double random = 0.0;
   double ofClusters = 0.0;
@@ -32,50 +47,9 @@ struct Parts
   }
 };
 
-/// What the parts of links need to know of a node, means of channels.
-struct NodeValues
-{
-  double radiance = 0.0;
-  double radianceSpread = 0.0;
-  double importance = 0.0; ///< received
-  double importanceSpread = 0.0;
-  double emission = 0.0;
-  double emissionOfCluster = 0.0;
-  double straight = 0.0;           ///< part of the importance that came over one reflection
-  double sourceOfImportance = 0.0; ///< root mean square
-  bool isCluster = false;
-};
-
-class Estimator
-{
-public:
-  Estimator(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
-    const Flow& importance, const HiddenLight& hidden);
-
-  LinkErrors Estimate();
-
-private:
-  Parts PartsOf(const Link& link) const;
-  double LossWithout(const Link& link, const Parts& parts) const;
-
-  const OpenTree& Tree;
-  const std::vector<Link>& Links;
-  const HiddenLight& Hidden;
-  std::vector<NodeValues> Nodes;
-  std::vector<double> AtReceiver; ///< sums over the links of each node
-  std::vector<double> AtShooter;
-  double SumOfClusters = 0.0; ///< over all links
-  double SumOfNodes = 0.0;
-};
-
-Estimator::Estimator(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
+LinkErrors::LinkErrors(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
   const Flow& importance, const HiddenLight& hidden)
-  : Tree(tree)
-  , Links(links)
-  , Hidden(hidden)
-  , Nodes(tree.Size())
-  , AtReceiver(tree.Size(), 0.0)
-  , AtShooter(tree.Size(), 0.0)
+  : Nodes(tree.Size())
 {
   for (OpenId id = 0; id < tree.Size(); ++id)
   {
@@ -86,18 +60,44 @@ Estimator::Estimator(const OpenTree& tree, const std::vector<Link>& links, const
     node.importance = Mean(importance.Received(id));
     node.importanceSpread = importance.Spread(id);
     node.emission = Mean(radiance.Source(id));
-    node.emissionOfCluster = node.isCluster ? Mean(tree[id].emission) : 0.0;
     node.straight = importance.StraightPart(id);
     node.sourceOfImportance = importance.RmsOfSource(id);
   }
+  std::vector<Parts> partsOfLink;
+  partsOfLink.reserve(links.size());
+  double squares = 0.0;
+  for (const Link& link : links)
+  {
+    const Parts& parts = partsOfLink.emplace_back(this->PartsOf(tree, link, hidden));
+    squares += Square(parts.random);
+    this->SumOfClusters += parts.ofClusters;
+    this->SumOfNodes += parts.OfNodes();
+    for (int end = 0; end < 2; ++end)
+    {
+      this->Nodes[link.ends[end]].atReceiver += parts.atReceiver[end];
+      this->Nodes[link.ends[end]].atShooter += parts.atShooter[end];
+    }
+  }
+  squares += Square(this->SumOfClusters) + Square(OfAllNodes * this->SumOfNodes);
+  for (const NodeValues& node : this->Nodes)
+  {
+    squares += Square(OfNode * node.atReceiver) + Square(OfNode * node.atShooter);
+  }
+  this->OfAll = std::sqrt(squares);
+  this->Losses.reserve(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    this->Losses.push_back(this->LossWithout(links[i], partsOfLink[i]));
+  }
 }
 
-Parts Estimator::PartsOf(const Link& link) const
+LinkErrors::Parts LinkErrors::PartsOf(
+  const OpenTree& tree, const Link& link, const HiddenLight& hidden) const
 {
   Parts parts;
   const double variation = link.variation + link.shadowing;
   const double uncertainty =
-    link.uncertainty * (HiddenLight::Concerns(this->Tree, link) ? this->Hidden.Doubt(link) : 1.0);
+    link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
   for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
   {
     const NodeValues& to = this->Nodes[link.ends[end]];
@@ -110,8 +110,9 @@ Parts Estimator::PartsOf(const Link& link) const
       uncertainty * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
     if (from.isCluster || to.isCluster)
     {
-      parts.ofClusters += OfClusters * unknown +
-                          OfUnnamed * uncertainty * from.emissionOfCluster * to.sourceOfImportance;
+      const double unnamed = from.isCluster ? from.emission : 0.0;
+      parts.ofClusters +=
+        OfClusters * unknown + OfUnnamed * uncertainty * unnamed * to.sourceOfImportance;
     }
     else
     {
@@ -123,61 +124,50 @@ Parts Estimator::PartsOf(const Link& link) const
   return parts;
 }
 
-/// (sum)^2 - (sum - part)^2 for each sum that the link is part of.
-double Estimator::LossWithout(const Link& link, const Parts& parts) const
+double LinkErrors::LossWithout(const Link& link, const Parts& parts) const
 {
-  const auto loss = [](double factor, double sum, double part)
-  { return factor * factor * part * (2.0 * sum - part); };
-  double all = parts.random * parts.random + loss(1.0, this->SumOfClusters, parts.ofClusters) +
-               loss(OfAllNodes, this->SumOfNodes, parts.OfNodes());
+  double loss = Square(parts.random) + Loss(1.0, this->SumOfClusters, parts.ofClusters) +
+                Loss(OfAllNodes, this->SumOfNodes, parts.OfNodes());
   for (int end = 0; end < 2; ++end)
   {
-    all += loss(OfNode, this->AtReceiver[link.ends[end]], parts.atReceiver[end]) +
-           loss(OfNode, this->AtShooter[link.ends[end]], parts.atShooter[end]);
+    const NodeValues& node = this->Nodes[link.ends[end]];
+    loss += Loss(OfNode, node.atReceiver, parts.atReceiver[end]) +
+            Loss(OfNode, node.atShooter, parts.atShooter[end]);
   }
-  return all;
+  return loss;
 }
 
-LinkErrors Estimator::Estimate()
+void LinkErrors::Follow(const OpenTree& tree, const Flow& radiance, const Flow& importance)
 {
-  double squares = 0.0;
-  std::vector<Parts> partsOfLink;
-  partsOfLink.reserve(this->Links.size());
-  for (const Link& link : this->Links)
+  for (OpenId id = static_cast<OpenId>(this->Nodes.size()); id < tree.Size(); ++id)
   {
-    partsOfLink.push_back(this->PartsOf(link));
-    const Parts& parts = partsOfLink.back();
-    squares += parts.random * parts.random;
-    this->SumOfClusters += parts.ofClusters;
-    this->SumOfNodes += parts.OfNodes();
-    for (int end = 0; end < 2; ++end)
+    const NodeValues& parent = this->Nodes[tree[id].parent];
+    const double received = parent.radiance - parent.emission;
+    NodeValues node;
+    node.isCluster = tree[id].IsCluster();
+    node.emission = Mean(radiance.Source(id));
+    node.radiance = node.emission + received;
+    node.importance = parent.importance;
+    node.straight = parent.straight;
+    node.sourceOfImportance = importance.RmsOfSource(id);
+    if (node.isCluster)
     {
-      this->AtReceiver[link.ends[end]] += parts.atReceiver[end];
-      this->AtShooter[link.ends[end]] += parts.atShooter[end];
+      node.radianceSpread = SpreadOfCluster(node.emission, radiance.RmsOfSource(id), received);
+      node.importanceSpread =
+        SpreadOfCluster(Mean(importance.Source(id)), node.sourceOfImportance, node.importance);
     }
+    this->Nodes.push_back(node);
   }
-  const auto square = [](double x) { return x * x; };
-  squares += square(this->SumOfClusters) + square(OfAllNodes * this->SumOfNodes);
-  for (OpenId id = 0; id < this->Tree.Size(); ++id)
-  {
-    squares += square(OfNode * this->AtReceiver[id]) + square(OfNode * this->AtShooter[id]);
-  }
-  LinkErrors errors;
-  errors.all = std::sqrt(squares);
-  errors.ofLink.reserve(this->Links.size());
-  for (std::size_t i = 0; i < this->Links.size(); ++i)
-  {
-    errors.ofLink.push_back(this->LossWithout(this->Links[i], partsOfLink[i]));
-  }
-  return errors;
 }
 
-} // namespace
-
-LinkErrors EstimateLinkErrors(const OpenTree& tree, const std::vector<Link>& links,
-  const Flow& radiance, const Flow& importance, const HiddenLight& hidden)
+double LinkErrors::Expected(const OpenTree& tree, const Link& link, const HiddenLight& hidden) const
 {
-  return Estimator(tree, links, radiance, importance, hidden).Estimate();
+  return this->LossWithout(link, this->PartsOf(tree, link, hidden));
+}
+
+std::size_t LinkErrors::Bytes() const
+{
+  return this->Nodes.capacity() * sizeof(NodeValues) + this->Losses.capacity() * sizeof(double);
 }
 
 } // namespace vantage

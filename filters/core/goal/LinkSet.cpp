@@ -52,8 +52,9 @@ std::vector<Link> LinkSet::TakeOut(const std::vector<std::uint32_t>& places)
 {
   std::vector<Link> taken;
   taken.reserve(places.size());
-  std::size_t kept = 0;
-  for (std::uint32_t i = 0; i < this->AwakeLinks.size(); ++i)
+  const std::size_t first = places.empty() ? this->AwakeLinks.size() : places.front();
+  std::size_t kept = first;
+  for (std::size_t i = first; i < this->AwakeLinks.size(); ++i)
   {
     if (taken.size() < places.size() && places[taken.size()] == i)
     {

@@ -30,7 +30,8 @@ public:
   const std::vector<bool>& RestingNodes() const { return this->IsResting; }
 
   void Add(const Link& link) { this->AwakeLinks.push_back(link); }
-  /// Removes awake links, given by their places in ascending order, and returns them. O(awake).
+  /// Removes awake links, given by their places in ascending order, and returns them. O(awake links
+  /// from the first of them on).
   std::vector<Link> TakeOut(const std::vector<std::uint32_t>& places);
   /// New nodes rest where their parent does.
   void Follow(const OpenTree& tree);

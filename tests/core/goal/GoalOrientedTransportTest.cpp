@@ -234,6 +234,33 @@ TEST(GoalOrientedTransport, AnotherViewKeepsLinksAndRadiance)
   EXPECT_NEAR(Mean(t.transport.ViewFluxOfImportance()) / Mean(t.transport.ViewFlux()), 1.0, 0.01);
 }
 
+TEST(GoalOrientedTransport, ARoundFollowsWhatIsBadDownTheTree)
+{
+  Scene scene = MakeLabyrinth();
+  scene.cameras.resize(1);
+  Transported t(scene);
+  t.transport.SetView(t.stage.View());
+  t.transport.Solve();
+  const auto made = [&t]
+  {
+    const GoalOrientedCounters& counters = t.transport.Counters();
+    return counters.surfacePairs + counters.clusterPairs - counters.hidden;
+  };
+  int deepRounds = 0;
+  while (t.transport.ErrorEstimate() > 0.05 && t.transport.Counters().rounds < 100)
+  {
+    const std::uint64_t before = made();
+    ASSERT_GT(t.transport.Refine(0.45), 0u);
+    const std::vector<Link> links = t.transport.Links();
+    const auto isNew = [&](const Link& link) { return link.step == t.transport.Counters().rounds; };
+    const auto left = static_cast<std::uint64_t>(std::count_if(links.begin(), links.end(), isNew));
+    EXPECT_LE(left, made() - before);
+    deepRounds += left < made() - before ? 1 : 0; // some were replaced at once
+    t.transport.Solve();
+  }
+  EXPECT_GT(deepRounds, 10);
+}
+
 TEST(GoalOrientedTransport, AWalkSweepsOverWhatItsLastViewNeeds)
 {
   LabyrinthSettings rooms;

@@ -65,7 +65,7 @@ struct Fixture
     this->radiance.FindSpreads(this->tree, matrix, links);
     this->importance.FindSpreads(this->tree, matrix, links);
     this->importance.FindStraight(matrix, closure);
-    return EstimateLinkErrors(this->tree, links, this->radiance, this->importance);
+    return LinkErrors(this->tree, links, this->radiance, this->importance);
   }
 };
 
@@ -74,8 +74,8 @@ TEST(LinkErrors, LinksThatAreKnownExactlyHaveNone)
   Fixture f;
   const LinkErrors errors = f.Errors({ f.Between(0, 1, 0.1, 0.0, 0.0),
     f.Between(1, 2, 0.1, 0.0, 0.0), f.Between(2, 3, 0.1, 0.0, 0.0) });
-  EXPECT_EQ(errors.all, 0.0);
-  EXPECT_EQ(errors.ofLink, (std::vector<double>{ 0.0, 0.0, 0.0 }));
+  EXPECT_EQ(errors.All(), 0.0);
+  EXPECT_EQ(errors.OfLinks(), (std::vector<double>{ 0.0, 0.0, 0.0 }));
 }
 
 TEST(LinkErrors, UncertaintiesAddAsSquares)
@@ -87,7 +87,7 @@ TEST(LinkErrors, UncertaintiesAddAsSquares)
       .Errors({ f.Between(0, 1, 0.1, 0.0, first), f.Between(0, 4, 0.1, 0.0, second),
         f.Between(1, 2, 0.1, 0.0, 0.0), f.Between(4, 2, 0.1, 0.0, 0.0),
         f.Between(2, 3, 0.1, 0.0, 0.0) })
-      .all;
+      .All();
   };
   const double one = errorOf(0.02, 0.0);
   const double other = errorOf(0.0, 0.05);
@@ -101,13 +101,13 @@ TEST(LinkErrors, ANamedLampDoesNotErrWhereItIsIntegratedOnceMore)
   // An uncertain link to what the gather meets: from a lamp, and from a surface that it lights.
   Fixture f;
   const double ofLamp =
-    f.Errors({ f.Between(0, 2, 0.1, 0.0, 0.02), f.Between(2, 3, 0.1, 0.0, 0.0) }).all;
+    f.Errors({ f.Between(0, 2, 0.1, 0.0, 0.02), f.Between(2, 3, 0.1, 0.0, 0.0) }).All();
   const double importance = Mean(f.importance.Received(f.surfaces[2]));
   Fixture g;
   const double ofSurface =
     g.Errors({ g.Between(0, 1, 0.1, 0.0, 0.0), g.Between(1, 2, 0.1, 0.0, 0.02),
                g.Between(2, 3, 0.1, 0.0, 0.0) })
-      .all;
+      .All();
   const double radiance = Mean(g.radiance.Value(g.surfaces[1]));
   EXPECT_GT(ofSurface, 0.3 * 0.02 * radiance * importance);
   // What is left: light that goes to and fro between surfaces 2 and 3 and arrives once more.
@@ -128,10 +128,10 @@ TEST(LinkErrors, VariationsAtOneEndAddAsTheyAre)
   const LinkErrors both = errorOf(0.02);
   const LinkErrors whole = g.Errors({ g.Between(0, 1, 0.1, 0.04, 0.0),
     g.Between(1, 2, 0.1, 0.03, 0.0), g.Between(2, 3, 0.1, 0.0, 0.0) });
-  ASSERT_GT(whole.all, 0.0);
+  ASSERT_GT(whole.All(), 0.0);
   // As one link of both: but for the spread of what arrives, whose parts add as squares.
-  EXPECT_GT(both.all, 0.7 * whole.all);
-  EXPECT_LT(both.all, whole.all * (1.0 + 1e-12));
+  EXPECT_GT(both.All(), 0.7 * whole.All());
+  EXPECT_LT(both.All(), whole.All() * (1.0 + 1e-12));
 }
 
 TEST(LinkErrors, WhatALinkCostsIsWhatTheSquareLosesWithoutIt)
@@ -145,10 +145,11 @@ TEST(LinkErrors, WhatALinkCostsIsWhatTheSquareLosesWithoutIt)
   };
   const LinkErrors both = errorsOf(0.02, 0.05);
   const LinkErrors one = errorsOf(0.0, 0.05);
-  ASSERT_EQ(both.ofLink.size(), 5u);
-  EXPECT_GT(both.ofLink[0], 0.0);
-  EXPECT_EQ(both.ofLink[2], 0.0);
-  EXPECT_NEAR(both.ofLink[0], both.all * both.all - one.all * one.all, 1e-12 * both.all * both.all);
+  ASSERT_EQ(both.OfLinks().size(), 5u);
+  EXPECT_GT(both.OfLinks()[0], 0.0);
+  EXPECT_EQ(both.OfLinks()[2], 0.0);
+  EXPECT_NEAR(both.OfLinks()[0], both.All() * both.All() - one.All() * one.All(),
+    1e-12 * both.All() * both.All());
 }
 
 TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
@@ -176,10 +177,65 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   link.ends = { 1, 2 };
   link.throughput = 0.2;
   link.uncertainty = 0.4;
-  const double once = EstimateLinkErrors(tree, { link }, radiance, importance).all;
-  const double thrice = EstimateLinkErrors(tree, { link, link, link }, radiance, importance).all;
+  const double once = LinkErrors(tree, { link }, radiance, importance).All();
+  const double thrice = LinkErrors(tree, { link, link, link }, radiance, importance).All();
   EXPECT_GE(once, 0.3 * 0.4 * Mean(tree[lamps].emission) * 0.1);
   EXPECT_NEAR(thrice, 3.0 * once, 1e-12 * once);
+}
+
+TEST(LinkErrors, ALampThatComesToLightIsExpectedToErrAsItDoes)
+{
+  // Half of the box, with the lamp somewhere in it, and what the eye sees, whose parts come next.
+  const test::Stage stage(test::MakeLitBox());
+  OpenTree tree = stage.MakeOpenTree();
+  tree.Open(0);
+  const OpenId lamps = Mean(tree[1].emission) > 0.0 ? 1 : 2;
+  const OpenId seen = 3 - lamps;
+  Flow radiance, importance;
+  const auto solve = [&]
+  {
+    const LinkMatrix matrix(tree, {});
+    const Closure closure = test::NoClosure(tree);
+    for (Flow* flow : { &radiance, &importance })
+    {
+      flow->Follow(tree);
+      for (OpenId id = 0; id < tree.Size(); ++id)
+      {
+        const OpenNode& node = tree[id];
+        if (node.IsLeaf() && flow == &radiance)
+        {
+          flow->SetSource(id, node.emission, node.emissionRms);
+        }
+        else if (id == seen)
+        {
+          flow->SetSource(id, Color(0.1), 0.3);
+        }
+      }
+      flow->Sweep(matrix, closure);
+      flow->FindSpreads(tree, matrix, {});
+      flow->FindStraight(matrix, closure);
+    }
+  };
+  solve();
+  Link link;
+  link.ends = { 1, 2 };
+  link.uncertainty = 0.4; // a link that brings nothing: what nodes have received stays the same
+  LinkErrors errors(tree, { link }, radiance, importance);
+  tree.Open(lamps);
+  const OpenId child = tree[lamps].firstChild;
+  link.ends = { Mean(tree[child].emission) > 0.0 ? child : child + 1, seen };
+  radiance.Follow(tree);
+  importance.Follow(tree);
+  for (OpenId id = child; id < tree.Size(); ++id)
+  {
+    radiance.SetSource(id, tree[id].emission, tree[id].emissionRms);
+  }
+  errors.Follow(tree, radiance, importance);
+  const double expected = errors.Expected(tree, link, {});
+  EXPECT_GT(expected, errors.OfLinks()[0]); // brighter, as it is smaller
+  solve();
+  const double found = LinkErrors(tree, { link }, radiance, importance).OfLinks()[0];
+  EXPECT_NEAR(expected / found, 1.0, 1e-12);
 }
 
 } // namespace
