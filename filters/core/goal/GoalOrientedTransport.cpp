@@ -1,5 +1,6 @@
 #include "core/goal/GoalOrientedTransport.h"
 
+#include "core/goal/LargestFirst.h"
 #include "core/goal/RowClosure.h"
 
 #include <tbb/parallel_for.h>
@@ -269,7 +270,7 @@ std::size_t GoalOrientedTransport::Refine(double share)
     this->Rank();
     worst = this->LinksToRefine();
   }
-  worst.resize(this->MoveWorstFirst(worst, share));
+  worst.resize(MoveLargestFirst(worst, this->Errors.OfLinks(), share));
   const double again = RefinedAgain * this->LeastError(worst);
   std::sort(worst.begin(), worst.end());
   ++this->Counts.rounds;
@@ -357,42 +358,6 @@ std::vector<std::uint32_t> GoalOrientedTransport::LinksToRefine() const
   const bool isUseless =
     this->Interactions.Size() > LinksToGiveUp && ofRefinable < LeastGain * ofAll;
   return isUseless ? std::vector<std::uint32_t>() : refinable;
-}
-
-std::size_t GoalOrientedTransport::MoveWorstFirst(
-  std::vector<std::uint32_t>& links, double share) const
-{
-  const auto isWorse = [this](std::uint32_t a, std::uint32_t b)
-  {
-    return this->Errors.OfLinks()[a] != this->Errors.OfLinks()[b]
-             ? this->Errors.OfLinks()[a] > this->Errors.OfLinks()[b]
-             : a < b;
-  };
-  const auto sum = [this](auto begin, auto end)
-  {
-    return std::accumulate(
-      begin, end, 0.0, [this](double s, std::uint32_t i) { return s + this->Errors.OfLinks()[i]; });
-  };
-  // Those before `first` are worse and not enough, those before `last` are enough.
-  double missing = share * sum(links.begin(), links.end());
-  auto first = links.begin();
-  auto last = links.end();
-  while (last - first > 1)
-  {
-    const auto middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, isWorse);
-    const double worse = sum(first, middle);
-    if (worse < missing)
-    {
-      missing -= worse;
-      first = middle;
-    }
-    else
-    {
-      last = middle;
-    }
-  }
-  return static_cast<std::size_t>(last - links.begin());
 }
 
 bool GoalOrientedTransport::IsLargeEnough(OpenId id) const

@@ -98,7 +98,7 @@ private:
   double Sweep(const LinkMatrix& matrix, Flow& flow, bool isBalanced);
   /// Finds the errors of the links that are awake.
   void Rank();
-  /// In the unit of the view flux as well, of each leaf.
+  /// Of each leaf, in the unit of the view flux: what its light may have to do with the view.
   std::vector<double> PartsInView() const;
   /// What errors are relative to: the view flux, unless that is next to nothing, or what it is when
   /// all surfaces matter alike.
@@ -106,9 +106,6 @@ private:
   /// Those that have an error and an end that may be split; none where there are many links and
   /// nearly all of the error is between elements that may not.
   std::vector<std::uint32_t> LinksToRefine() const;
-  /// Puts the links with the largest errors that together have `share` of all first, in any order.
-  /// Returns how many they are. O(links).
-  std::size_t MoveWorstFirst(std::vector<std::uint32_t>& links, double share) const;
   bool IsLargeEnough(OpenId id) const;
   bool MayRefine(const Link& link) const;
   std::array<bool, 2> EndsToSplit(const Link& link) const;
