@@ -111,7 +111,7 @@ TEST(LinkSet, NothingRestsWhereAllMatterOrNothingIsSeen)
   EXPECT_EQ(std::count(w.set.RestingNodes().begin(), w.set.RestingNodes().end(), true), 0);
 }
 
-TEST(LinkSet, AllAreAwakeAgainAfterSixTimesTheirNumber)
+TEST(LinkSet, AllAreAwakeAgainAfterThreeTimesTheirNumber)
 {
   Walls w;
   EXPECT_TRUE(w.set.WakeWhenDue());
@@ -123,9 +123,9 @@ TEST(LinkSet, AllAreAwakeAgainAfterSixTimesTheirNumber)
   while (!w.set.WakeWhenDue())
   {
     gone += awake;
-    ASSERT_LE(gone, 6 * w.set.Size());
+    ASSERT_LE(gone, 3 * w.set.Size());
   }
-  EXPECT_GT(gone + awake, 6 * w.set.Size());
+  EXPECT_GT(gone + awake, 3 * w.set.Size());
   EXPECT_FALSE(w.set.DoSomeRest());
   EXPECT_EQ(w.set.Awake().size(), w.set.Size());
   EXPECT_TRUE(w.AreAllThere());
