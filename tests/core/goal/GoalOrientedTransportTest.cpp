@@ -298,6 +298,35 @@ TEST(GoalOrientedTransport, AWalkSweepsOverWhatItsLastViewNeeds)
   EXPECT_NEAR(t.transport.ErrorEstimate() / estimate, 1.0, 0.1);
 }
 
+TEST(GoalOrientedTransport, ItEndsOnlyWhenNothingThatRestsMayBeRefinedEither)
+{
+  // Elements that cannot be split: what is seen ends early, what rests has clusters still.
+  LabyrinthSettings rooms;
+  rooms.rows = 1;
+  rooms.columns = 10;
+  Scene scene = MakeLabyrinth(rooms);
+  scene.cameras.resize(1);
+  GoalOrientedSettings settings;
+  settings.maximumLevel = 0;
+  Transported t(scene, settings);
+  t.transport.SetView(t.stage.View());
+  t.transport.Solve();
+  while (t.transport.Refine(0.45) > 0)
+  {
+    t.transport.Solve();
+  }
+  const OpenTree& tree = t.transport.Tree();
+  const std::vector<Link> links = t.transport.Links();
+  const LinkErrors errors(tree, links, t.transport.Radiance(), t.transport.Importance());
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    if (KindOf(tree, links[i]) == WithCluster)
+    {
+      ASSERT_EQ(errors.OfLinks()[i], 0.0) << "link " << i;
+    }
+  }
+}
+
 TEST(GoalOrientedTransport, TwiceTheEmissionIsTwiceTheRadianceOnTheSameLinks)
 {
   Transported t(test::MakeFurnishedRoom());
