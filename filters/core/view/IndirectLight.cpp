@@ -230,7 +230,7 @@ void IndirectGatherer::LightTheMet(IndirectReport& report)
   if (wanted < rays)
   {
     const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
-    this->Lit.SetTexels(LightTexels(*this->Occluders, *this->Solution, sample, report.direct));
+    report.shadowRays += this->Lit.LightSample(sample, Hash(this->Settings.seed, 3));
   }
 }
 

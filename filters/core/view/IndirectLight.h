@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/transport/RadianceSolution.h"
-#include "core/view/DirectLight.h"
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
@@ -33,7 +32,6 @@ struct IndirectReport
   std::uint64_t gatherPoints = 0;
   std::uint64_t gatherRays = 0;
   std::uint64_t shadowRays = 0; ///< from what these met to the lamps
-  DirectCounters direct;        ///< of the light of lamps at a sample of what these met
   double error = 0.0;           ///< estimate of the sum of weight times error
   double sum = 0.0;             ///< of weight times irradiance, mean of channels
 };

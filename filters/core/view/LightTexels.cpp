@@ -23,43 +23,37 @@ constexpr int MostLevels = 20;
 } // namespace
 
 LightTexels::LightTexels(const OccluderScene& occluders, const RadianceSolution& solution,
-  const std::vector<Hit>& sample, DirectCounters& counters)
+  const std::vector<Hit>& sample, const std::vector<Color>& irradiance)
   : TreeOfPatch(solution.albedo.size(), None)
 {
-  const PackedLists<Vec3> points(this->TreeOfPatch.size(),
+  const PackedLists<std::uint32_t> hits(this->TreeOfPatch.size(),
     [&](const auto& visit)
     {
-      for (const Hit& hit : sample)
+      for (std::uint32_t k = 0; k < sample.size(); ++k)
       {
-        visit(hit.Patch(), hit.point);
+        visit(sample[k].Patch(), k);
       }
     });
   std::vector<PatchId> patches;
   for (PatchId patch = 0; patch < this->TreeOfPatch.size(); ++patch)
   {
-    const auto met = points.Of(patch);
+    const auto met = hits.Of(patch);
     if (met.end() - met.begin() >= LeastHits)
     {
-      const PatchCoordinates map(ShapeOf(occluders, patch));
       this->TreeOfPatch[patch] = static_cast<std::uint32_t>(this->Trees.size());
-      this->Trees.emplace_back(map);
+      this->Trees.emplace_back(PatchCoordinates(ShapeOf(occluders, patch)));
       patches.push_back(patch);
     }
   }
-  const DirectLight light(occluders, solution);
-  std::vector<DirectCounters> counts(patches.size());
   tbb::parallel_for(std::size_t(0), patches.size(),
     [&](std::size_t k)
     {
-      const auto met = points.Of(patches[k]);
-      const std::vector<Vec3> places(met.begin(), met.end());
-      this->Trees[k].Build(solution, solution.elementOfPatch[patches[k]], places,
-        light.OfNamed(patches[k], places, counts[k]));
+      for (const std::uint32_t i : hits.Of(patches[k]))
+      {
+        this->Trees[k].Add(sample[i].point, irradiance[i]);
+      }
+      this->Trees[k].Build(solution, solution.elementOfPatch[patches[k]]);
     });
-  for (const DirectCounters& count : counts)
-  {
-    counters.Add(count);
-  }
 }
 
 LightTexels::Place LightTexels::At(
@@ -70,17 +64,17 @@ LightTexels::Place LightTexels::At(
                       : Place{ solution.LeafAt(patch, point), nullptr };
 }
 
-void LightTexels::Tree::Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root,
-  const std::vector<Vec3>& points, const std::vector<Color>& irradiance)
+void LightTexels::Tree::Add(const Vec3& point, const Color& irradiance)
 {
-  std::vector<Sample> samples;
-  samples.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    samples.push_back({ this->Map.Of(points[i]), irradiance[i] });
-  }
+  this->Samples.push_back({ this->Map.Of(point), irradiance });
+}
+
+void LightTexels::Tree::Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root)
+{
   this->Nodes.assign(1, {});
-  this->Build(0, solution, root, samples.data(), samples.data() + samples.size(), 0);
+  Sample* const first = this->Samples.data();
+  this->Build(0, solution, root, first, first + this->Samples.size(), 0);
+  this->Samples = {};
 }
 
 LightTexels::Place LightTexels::Tree::At(const Vec3& point) const

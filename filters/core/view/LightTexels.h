@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/transport/RadianceSolution.h"
-#include "core/view/DirectLight.h"
 #include "core/visibility/OccluderScene.h"
 
 #include <array>
@@ -14,23 +13,23 @@
 namespace vantage
 {
 
-/// Irradiance from the named lamps, as in DirectLight.h, at a sample of what rays will meet.
-/// Patches are quartered as their elements are, and further while a quarter has more than a few of
-/// the sample: these are the texels, and each has the mean of its hits. So they are small where
-/// rays are dense; and they are right in the mean over the rays, if those that come are distributed
-/// as the sample is: where half of a texel is hidden from them, that half does not count. What the
-/// light varies within texels adds to the noise of the rays. An element that the sample has missed
-/// has no texels, nor has a patch with a few hits only.
+/// Irradiance from the named lamps at a sample of what rays will meet. Patches are quartered as
+/// their elements are, and further while a quarter has more than a few of the sample: these are the
+/// texels, and each has the mean of its hits. So they are small where rays are dense; and they are
+/// right in the mean over the rays, if those that come are distributed as the sample is: where half
+/// of a texel is hidden from them, that half does not count. What the light varies within texels
+/// adds to the noise of the rays. An element that the sample has missed has no texels, nor has a
+/// patch with a few hits only.
 class LightTexels
 {
 public:
   /// None.
   LightTexels() = default;
   /// \param sample of what rays will meet, on active sides
-  /// \param counters get what it took
+  /// \param irradiance of each of them, W m^-2; its noise may be large, as texels are means
   /// Parallel over patches, the same for any number of threads. O(patches + n log n) for n hits.
   LightTexels(const OccluderScene& occluders, const RadianceSolution& solution,
-    const std::vector<Hit>& sample, DirectCounters& counters);
+    const std::vector<Hit>& sample, const std::vector<Color>& irradiance);
 
   /// What is known at a point of an active patch.
   struct Place
@@ -51,9 +50,9 @@ private:
       : Map(map)
     {
     }
-    /// \param root the element of the patch
-    void Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root,
-      const std::vector<Vec3>& points, const std::vector<Color>& irradiance);
+    void Add(const Vec3& point, const Color& irradiance);
+    /// Of all that was added. \param root the element of the patch
+    void Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root);
     Place At(const Vec3& point) const;
 
   private:
@@ -64,7 +63,7 @@ private:
       std::uint32_t firstChild = None;         ///< of four
       bool isLit = false;                      ///< there is an irradiance
     };
-    /// A hit of the sample.
+    /// A hit.
     struct Sample
     {
       Vec2 place; ///< coordinates within the node it has come to
@@ -79,6 +78,7 @@ private:
     std::array<Sample*, 5> Sort(Sample* first, Sample* last) const;
 
     PatchCoordinates Map;
+    std::vector<Sample> Samples; ///< until it is built
     std::vector<Node> Nodes;
   };
 

@@ -4,9 +4,12 @@
 #include "core/math/Sampling.h"
 #include "core/math/ScrambledSobol.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace vantage
 {
@@ -94,28 +97,47 @@ LitRadiance LitSurfaces::Radiance(
   {
     return { solution.albedo[patch] / Pi * *place.irradiance, this->OfElements[leaf], leaf };
   }
-  const RadianceSolution::Element& element = solution.elements[leaf];
+  const Color irradiance = this->Irradiance(hit, leaf, index, seed, shadowRays);
+  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf], leaf };
+}
+
+std::uint64_t LitSurfaces::LightSample(const std::vector<Hit>& sample, std::uint64_t seed)
+{
+  std::vector<Color> irradiance(sample.size());
+  std::vector<std::uint64_t> shadowRays(sample.size(), 0);
+  tbb::parallel_for(std::size_t(0), sample.size(),
+    [&](std::size_t k)
+    {
+      const Hit& hit = sample[k];
+      const RadianceSolution::NodeIndex leaf = this->Solution->LeafAt(hit.Patch(), hit.point);
+      irradiance[k] =
+        this->Irradiance(hit, leaf, static_cast<std::uint32_t>(k), seed, shadowRays[k]);
+    });
+  this->Texels = LightTexels(*this->Occluders, *this->Solution, sample, irradiance);
+  return std::accumulate(shadowRays.begin(), shadowRays.end(), std::uint64_t(0));
+}
+
+Color LitSurfaces::Irradiance(const Hit& hit, RadianceSolution::NodeIndex leaf, std::uint32_t index,
+  std::uint64_t seed, std::uint64_t& shadowRays) const
+{
+  const RadianceSolution::Element& element = this->Solution->elements[leaf];
   if (element.firstLamp == element.lastLamp)
   {
-    return { Color(0.0), this->OfElements[leaf], leaf };
+    return Color(0.0);
   }
-  const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, patch) };
-  Color irradiance(0.0);
+  const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, hit.Patch()) };
   if (element.lastLamp - element.firstLamp > MostLamps)
   {
-    irradiance =
-      this->FromSome(point, element.firstLamp, element.lastLamp, index, seed, shadowRays);
+    return this->FromSome(point, element.firstLamp, element.lastLamp, index, seed, shadowRays);
   }
-  else
+  Color irradiance(0.0);
+  for (std::uint32_t entry = element.firstLamp; entry < element.lastLamp; ++entry)
   {
-    for (std::uint32_t entry = element.firstLamp; entry < element.lastLamp; ++entry)
-    {
-      const Lamp& lamp = this->Lamps[this->LampOfEntry[entry]];
-      irradiance +=
-        this->Factor(lamp, point, index, Hash(seed, lamp.facet), shadowRays) * lamp.emission;
-    }
+    const Lamp& lamp = this->Lamps[this->LampOfEntry[entry]];
+    irradiance +=
+      this->Factor(lamp, point, index, Hash(seed, lamp.facet), shadowRays) * lamp.emission;
   }
-  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf], leaf };
+  return irradiance;
 }
 
 /// Irradiance that the lamp would give were it a point and nothing in the way, never nought.

@@ -5,7 +5,6 @@
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 /// \file LitSurfaces.h
@@ -23,10 +22,11 @@ struct LitRadiance
 };
 
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
-/// lamps is looked up where there are texels, and else computed at the point: closed form, times
-/// one shadow ray to each; from more than `MostLamps` so many are drawn, the more often the more
-/// they are likely to give. The rest, what reached the surface by reflections, is taken from the
-/// element. So elements need not be fine enough for the shadows and spots that lamps make.
+/// lamps is estimated at the point: closed form, times one shadow ray to each; from more than
+/// `MostLamps` so many are drawn, the more often the more they are likely to give. Where many rays
+/// come, that is done for a sample of them, of which texels keep the means. The rest, what reached
+/// the surface by reflections, is taken from the element. So elements need not be fine enough for
+/// the shadows and spots that lamps make.
 ///
 /// Refers to occluders and solution, which must outlive it. O(lamps) to make.
 class LitSurfaces
@@ -43,8 +43,10 @@ public:
   LitRadiance Radiance(
     const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
 
-  /// Of the same solution, for rays that are distributed as their sample was.
-  void SetTexels(LightTexels texels) { this->Texels = std::move(texels); }
+  /// Makes texels, for rays that are distributed as the sample is, on active sides. Estimates are
+  /// those of Radiance() with the places in the sample as indices. Returns the shadow rays that it
+  /// took. Parallel over the sample, the same for any number of threads.
+  std::uint64_t LightSample(const std::vector<Hit>& sample, std::uint64_t seed);
 
   /// RadianceSolution::Element::indirect of a leaf, or what it was replaced by.
   const Color& Indirect(RadianceSolution::NodeIndex leaf) const { return this->OfElements[leaf]; }
@@ -72,6 +74,8 @@ private:
     Vec3 normal;
   };
 
+  Color Irradiance(const Hit& hit, RadianceSolution::NodeIndex leaf, std::uint32_t index,
+    std::uint64_t seed, std::uint64_t& shadowRays) const;
   double Likely(const Lamp& lamp, const LitPoint& point) const;
   double Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
     std::uint64_t& shadowRays) const;

@@ -176,7 +176,6 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
   result.counts.gatherPoints = report.gatherPoints;
   result.counts.gatherRays = report.gatherRays;
   result.counts.hitShadowRays = report.shadowRays;
-  result.counts.direct = report.direct;
   result.counts.indirectSeconds = watch.Lap();
   return result;
 }

@@ -1,6 +1,7 @@
 #include "core/view/LightTexels.h"
 
 #include "core/math/Sampling.h"
+#include "core/view/DirectLight.h"
 #include "core/view/GatherStage.h"
 #include "core/view/LitSurfaces.h"
 
@@ -60,17 +61,21 @@ std::vector<Hit> DrawHits(const GatherStage& stage, int count, std::uint64_t see
   return hits;
 }
 
-LightTexels MakeTexels(const GatherStage& stage, const std::vector<Hit>& sample)
-{
-  DirectCounters counters;
-  return LightTexels(stage.occluders, stage.solution, sample, counters);
-}
-
 Color ExactAt(const GatherStage& stage, const Hit& hit)
 {
   DirectCounters counters;
   return DirectLight(stage.occluders, stage.solution)
     .OfNamed(hit.Patch(), { hit.point }, counters)[0];
+}
+
+LightTexels MakeTexels(const GatherStage& stage, const std::vector<Hit>& sample)
+{
+  std::vector<Color> irradiance;
+  for (const Hit& hit : sample)
+  {
+    irradiance.push_back(ExactAt(stage, hit));
+  }
+  return LightTexels(stage.occluders, stage.solution, sample, irradiance);
 }
 
 const Color* Lookup(const GatherStage& stage, const LightTexels& texels, const Hit& hit)
@@ -248,13 +253,25 @@ TEST(LightTexels, StandForShadowRaysOfLitSurfaces)
   const GatherStage stage(MakeFloors(), Nothing);
   const std::vector<Hit> sample = DrawHits(stage, 300, 9);
   LitSurfaces lit(stage.occluders, stage.solution);
-  lit.SetTexels(MakeTexels(stage, sample));
-  const LightTexels texels = MakeTexels(stage, sample);
   std::uint64_t shadowRays = 0;
-  const LitRadiance found = lit.Radiance(sample[0], 0, 1, shadowRays);
-  const Color albedo = stage.solution.albedo[sample[0].Patch()];
-  EXPECT_EQ(found.direct, albedo / Pi * *Lookup(stage, texels, sample[0]));
+  Color estimated(0.0);
+  for (std::uint32_t k = 0; k < sample.size(); ++k)
+  {
+    estimated += lit.Radiance(sample[k], k, 17, shadowRays).direct;
+  }
+  ASSERT_GT(shadowRays, 0u);
+  EXPECT_EQ(lit.LightSample(sample, 17), shadowRays);
+  Color found(0.0);
+  shadowRays = 0;
+  for (const Hit& hit : sample)
+  {
+    found += lit.Radiance(hit, 0, 1, shadowRays).direct;
+  }
   EXPECT_EQ(shadowRays, 0u);
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(found[c], estimated[c], 1e-12 * estimated[c]); // round-off of 300
+  }
 }
 
 } // namespace
