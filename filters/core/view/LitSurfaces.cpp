@@ -17,6 +17,8 @@ namespace vantage
 namespace
 {
 
+/// A lamp that is nearer than so many of its radii is no point.
+constexpr double NearLamp = 4.0;
 /// A lamp whose centre is below the horizon, or turned away, may still be seen in part.
 constexpr double LeastCosine = 0.05;
 /// Points of a lamp of which one is chosen for the shadow ray, where the lamp is as large as it is
@@ -140,11 +142,16 @@ Color LitSurfaces::Irradiance(const Hit& hit, RadianceSolution::NodeIndex leaf, 
   return irradiance;
 }
 
-/// Irradiance that the lamp would give were it a point and nothing in the way, never nought.
+/// Irradiance that the lamp would give with nothing in the way, of a distant one as if it were a
+/// point, and then never nought.
 double LitSurfaces::Likely(const Lamp& lamp, const LitPoint& point) const
 {
   const Vec3 way = lamp.centre - point.place.position;
   const double square = glm::dot(way, way);
+  if (square < NearLamp * NearLamp * lamp.radius * lamp.radius)
+  {
+    return Mean(lamp.emission) * PointToPolygon(point.place.position, point.normal, lamp.shape);
+  }
   const double here = glm::dot(point.normal, way);
   const double there = -glm::dot(lamp.normal, way);
   const double least = LeastCosine * std::sqrt(square);

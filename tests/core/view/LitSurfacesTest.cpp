@@ -231,6 +231,29 @@ TEST(LitSurfaces, SomeOfManyLampsStandForAll)
   }
 }
 
+/// Below a ceiling of lamps the few that are drawn stand for all without noise.
+TEST(LitSurfaces, LampsCloseByAreDrawnByWhatTheyGive)
+{
+  Scene scene;
+  AddSquare(scene, Vec3(0.0), -8.0, AddMaterial(scene, Albedo, Color(0.0), false));
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Emission, false);
+  for (int i = 0; i < 36; ++i)
+  {
+    AddSquare(scene, Vec3(i % 6 - 2.5, i / 6 - 2.5, 1.0), 1.0, lamp);
+  }
+  const GatherStage stage(scene, AllButEmission);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const double all = Unhidden(stage).x;
+  std::uint64_t shadowRays = 0;
+  for (std::uint32_t index = 0; index < 100; ++index)
+  {
+    // The lamps in the corners are farther than four radii: they are taken for points.
+    const double found = lit.Radiance(FloorHit(stage), index, 1, shadowRays).direct.x;
+    EXPECT_NEAR(found, all, 0.02 * all) << index;
+  }
+  EXPECT_LE(shadowRays, 100u * LitSurfaces::MostLamps);
+}
+
 /// A closed room of one albedo in which everything reflects the same radiance, without lamps.
 GatherStage MakeEvenRoom()
 {
