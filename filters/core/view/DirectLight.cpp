@@ -81,7 +81,8 @@ std::vector<Color> DirectLight::OfNamed(PatchId patch, const std::vector<Vec3>& 
     }
     const LampView view(
       *this->Occluders, patch / 2, frame, lamp / 2, ShapeOf(*this->Occluders, lamp));
-    counters.Add(view.Look(spots.data(), spots.data() + spots.size(), factors.data()));
+    counters.Add(
+      view.Look(spots.data(), spots.data() + spots.size(), this->Tolerance, factors.data()));
     for (const LampSpot& spot : spots)
     {
       irradiance[spot.index] += factors[spot.index] * solution.emission[lamp];

@@ -30,6 +30,12 @@ public:
   /// Whether the occluder hides all of the lamp from all of a convex polygon in the plane.
   bool HidesAll(std::uint32_t occluder, const Polygon& points) const;
 
+  /// Whether the lamp is on one side of an edge of the occluder as one of some points sees it, and
+  /// on the other side as another one does: then the edge of the shadow is narrower than the points
+  /// lie apart, and all of it may fall between them. Or whether the plane of the occluder passes
+  /// between the points.
+  bool IsSharp(std::uint32_t occluder, const Polygon& points) const;
+
   /// What some other thread must not use meanwhile.
   class Shadows;
 
@@ -47,6 +53,7 @@ private:
     std::array<Vec2, MostCorners> corners;
     int count = 0;
   };
+  using Heights = std::array<double, MostCorners>; ///< of the corners of such a polygon
   struct Line
   {
     Vec2 normal;
@@ -58,16 +65,26 @@ private:
     std::array<Line, MostCorners> sides;
     int count = 0;
   };
+  /// Linear over the plane z = 0.
+  struct Affine
+  {
+    double constant, x, y;
+
+    double At(const Vec2& place) const
+    {
+      return this->constant + this->x * place.x + this->y * place.y;
+    }
+  };
+  /// The plane through x and an edge of an occluder, not normalised, for all x at once.
   struct Edge
   {
-    Vec3 along, moment; ///< moment = along x where it starts
+    Affine towardsA, towardsB; ///< its normal times the axes of the plane of the lamp
+    Affine height;             ///< of the lamp's origin above it
   };
   struct Occluder
   {
-    Vec3 normal;
-    double offset;
-    std::array<Edge, MostCorners> edges;
-    int count;
+    Affine side; ///< of its plane that x is on, by the sign
+    std::uint32_t firstEdge, lastEdge;
   };
   enum class Cover
   {
@@ -76,19 +93,24 @@ private:
     Whole
   };
 
-  Cover Cast(const Occluder& occluder, const Vec3& x, Shadow& shadow) const;
-  static Cover Clip(const Flat& part, const Shadow& shadow, Flat& inside);
-  static void CutAt(const Flat& whole, const std::array<double, MostCorners>& heights, Flat& cut);
+  double CommonSide(const Occluder& occluder, const Polygon& points) const;
+  Cover CoverBehind(std::uint32_t edge, double sign, const Vec2& x) const;
+  Cover Cast(const Occluder& occluder, const Vec2& x, Shadow& shadow) const;
+  static void CutAt(const Flat& whole, const Heights& heights, double side, Flat& cut);
   static double Area(const Flat& part);
   void AppendOutside(const Flat& part, const Shadow& shadow, std::vector<Flat>& parts) const;
+  void Cut(Shadows& shadows, const Shadow& shadow) const;
   std::optional<double> SeenPast(Shadows& shadows, const Vec2& x) const;
   double Measure(const Flat& part, const Vec2& x) const;
 
-  LampKernel Kernel;                      ///< of all of the lamp
+  LampKernel Kernel; ///< of all of the lamp
+  Polygon Shape;
   Vec3 Origin{ 0.0 }, A{ 0.0 }, B{ 0.0 }; ///< of the plane of the lamp
   Flat Lamp;
   double Sliver = 0.0; ///< the area of a part that is not worth keeping
   std::vector<Occluder> Occluders;
+  std::vector<Edge> Edges;
+  std::vector<Affine> CornerHeights; ///< of the lamp's corners above the plane of each edge
 };
 
 /// Room for the shadows that one point sees.

@@ -1,12 +1,14 @@
 #include "core/view/LampView.h"
 
 #include "core/math/ScrambledSobol.h"
+#include "core/view/SmoothFit.h"
 
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace vantage
 {
@@ -16,13 +18,29 @@ namespace
 
 /// In local units: what is nearer to a plane than this touches it.
 constexpr double Touching = 1e-10;
-/// Groups of so many spots are not halved further; with few facets in the way, nor are larger ones.
+/// Groups of so many spots are not halved further; with few facets in the way, nor are larger ones,
+/// unless there is a tolerance.
 constexpr int SmallGroup = 32;
 constexpr int SmallGroupOfFewFacets = 64;
 constexpr std::size_t FewFacets = 2;
+/// Groups of more spots are worth the thirteen values that a smooth fit takes.
+constexpr int LeastToFit = 24;
 constexpr int ShadowRays = 256;
 /// Larger groups are halved on two threads.
 constexpr int ParallelGroup = 256;
+
+/// The rectangle around spots.
+std::pair<Vec2, Vec2> Around(const LampSpot* first, const LampSpot* last)
+{
+  Vec2 low = first->place;
+  Vec2 high = low;
+  for (const LampSpot* spot = first; spot != last; ++spot)
+  {
+    low = glm::min(low, spot->place);
+    high = glm::max(high, spot->place);
+  }
+  return { low, high };
+}
 
 } // namespace
 
@@ -50,7 +68,8 @@ LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const Pa
   this->Kernel = LampKernel(this->Lamp);
 }
 
-DirectCounters LampView::Look(LampSpot* first, LampSpot* last, double* factors) const
+DirectCounters LampView::Look(
+  LampSpot* first, LampSpot* last, double tolerance, double* factors) const
 {
   for (LampSpot* spot = first; spot != last; ++spot)
   {
@@ -61,7 +80,7 @@ DirectCounters LampView::Look(LampSpot* first, LampSpot* last, double* factors) 
     return {};
   }
   Group all{ first, last, {} };
-  const Search search = this->SearchAround(all);
+  const Search search = this->SearchAround(all, tolerance);
   all.occluders.resize(search.facets.size());
   std::iota(all.occluders.begin(), all.occluders.end(), 0u);
   DirectCounters counters = this->Look(std::move(all), search, factors);
@@ -73,15 +92,9 @@ DirectCounters LampView::Look(LampSpot* first, LampSpot* last, double* factors) 
 Polygon LampView::Bounds(const Group& group) const
 {
   constexpr double margin = 1e-6;
-  Vec2 low = group.first->place;
-  Vec2 high = low;
-  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
-  {
-    low = glm::min(low, spot->place);
-    high = glm::max(high, spot->place);
-  }
-  low = low / this->Unit - margin;
-  high = high / this->Unit + margin;
+  const auto [first, last] = Around(group.first, group.last);
+  const Vec2 low = first / this->Unit - margin;
+  const Vec2 high = last / this->Unit + margin;
   return ClipToFront({ { low.x, low.y, 0.0 }, { high.x, low.y, 0.0 }, { high.x, high.y, 0.0 },
                        { low.x, high.y, 0.0 } },
     this->LampPlane, Touching);
@@ -108,9 +121,9 @@ Polygon LampView::Between(std::uint32_t facet) const
   return ClipToFront(ClipToFront(local, Plane(), Touching), this->LampPlane, Touching);
 }
 
-LampView::Search LampView::SearchAround(const Group& all) const
+LampView::Search LampView::SearchAround(const Group& all, double tolerance) const
 {
-  Search search{ {}, LampCutter(this->Lamp) };
+  Search search{ {}, LampCutter(this->Lamp), tolerance };
   const Polygon bounds = this->Bounds(all);
   if (bounds.Empty())
   {
@@ -182,36 +195,32 @@ DirectCounters LampView::Look(Group group, const Search& search, double* factors
   {
     return counters;
   }
-  const auto count = group.last - group.first;
-  if (group.occluders.empty())
+  if (!this->LookSmoothly(group, search, factors, counters))
   {
-    for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+    if (IsSmall(group, search))
     {
-      factors[spot->index] = this->Kernel.At(spot->place / this->Unit);
+      this->LookAtEach(group, search, factors, counters);
     }
-    counters.lampEvaluations += count;
-  }
-  else if (count <= SmallGroup ||
-           (count <= SmallGroupOfFewFacets && group.occluders.size() <= FewFacets))
-  {
-    this->LookAtEach(group, search, factors, counters);
-  }
-  else
-  {
-    counters.Add(this->LookHalves(group, search, factors));
+    else
+    {
+      counters.Add(this->LookHalves(group, search, factors));
+    }
   }
   return counters;
 }
 
+/// Whether to halve the group is of no use.
+bool LampView::IsSmall(const Group& group, const Search& search)
+{
+  const auto count = group.last - group.first;
+  const bool isExact = search.tolerance == 0.0;
+  return count <= SmallGroup || group.occluders.empty() ||
+         (isExact && count <= SmallGroupOfFewFacets && group.occluders.size() <= FewFacets);
+}
+
 DirectCounters LampView::LookHalves(const Group& group, const Search& search, double* factors) const
 {
-  Vec2 low = group.first->place;
-  Vec2 high = low;
-  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
-  {
-    low = glm::min(low, spot->place);
-    high = glm::max(high, spot->place);
-  }
+  const auto [low, high] = Around(group.first, group.last);
   const int axis = high.x - low.x >= high.y - low.y ? 0 : 1;
   const double cut = 0.5 * (low[axis] + high[axis]);
   LampSpot* middle = std::partition(
@@ -240,27 +249,65 @@ DirectCounters LampView::LookHalves(const Group& group, const Search& search, do
   return lower;
 }
 
+/// Looks at a few places only, if these tell of all, as they never do without a tolerance.
+bool LampView::LookSmoothly(
+  const Group& group, const Search& search, double* factors, DirectCounters& counters) const
+{
+  if (search.tolerance == 0.0 || group.occluders.empty() || group.last - group.first <= LeastToFit)
+  {
+    return false;
+  }
+  const Polygon bounds = this->Bounds(group);
+  const auto isSharp = [&](std::uint32_t k) { return search.cutter.IsSharp(k, bounds); };
+  if (std::any_of(group.occluders.begin(), group.occluders.end(), isSharp))
+  {
+    return false;
+  }
+  const auto [low, high] = Around(group.first, group.last);
+  const double whole = this->Kernel.At(0.5 * (low + high) / this->Unit);
+  LampCutter::Shadows shadows;
+  const auto fit = FitSmooth(low, high, search.tolerance * whole,
+    [&](const Vec2& place) { return this->SeenFrom(place, group, search, shadows, counters); });
+  if (!fit)
+  {
+    return false;
+  }
+  for (const LampSpot* spot = group.first; spot != group.last; ++spot)
+  {
+    factors[spot->index] = std::max(fit->At(spot->place), 0.0);
+  }
+  return true;
+}
+
 void LampView::LookAtEach(
   const Group& group, const Search& search, double* factors, DirectCounters& counters) const
 {
   LampCutter::Shadows shadows;
   for (const LampSpot* spot = group.first; spot != group.last; ++spot)
   {
-    const Vec2 place = spot->place / this->Unit;
-    if (this->LampPlane.Distance(Vec3(place, 0.0)) > 0.0)
-    {
-      const auto seen = search.cutter.Seen(place, group.occluders, shadows);
-      factors[spot->index] = seen ? *seen : this->SeenByRays(*spot, counters);
-      counters.lampEvaluations += factors[spot->index] > 0.0 ? 1 : 0;
-      counters.cutEvaluations += shadows.Any() ? 1 : 0;
-    }
+    factors[spot->index] = this->SeenFrom(spot->place, group, search, shadows, counters);
   }
 }
 
-/// The closed form times the part of it that well spread rays find.
-double LampView::SeenByRays(const LampSpot& spot, DirectCounters& counters) const
+double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& search,
+  LampCutter::Shadows& shadows, DirectCounters& counters) const
 {
-  const SurfacePoint from{ this->Frame->ToWorld(Vec3(spot.place, 0.0)), this->Facet };
+  const Vec2 local = place / this->Unit;
+  if (this->LampPlane.Distance(Vec3(local, 0.0)) <= 0.0)
+  {
+    return 0.0;
+  }
+  const auto seen = search.cutter.Seen(local, group.occluders, shadows);
+  const double factor = seen ? *seen : this->SeenByRays(place, counters);
+  counters.lampEvaluations += factor > 0.0 ? 1 : 0;
+  counters.cutEvaluations += shadows.Any() ? 1 : 0;
+  return factor;
+}
+
+/// The closed form times the part of it that well spread rays find.
+double LampView::SeenByRays(const Vec2& place, DirectCounters& counters) const
+{
+  const SurfacePoint from{ this->Frame->ToWorld(Vec3(place, 0.0)), this->Facet };
   const Plane plane = SupportingPlane(this->LampShape);
   double seen = 0.0;
   double total = 0.0;
@@ -277,7 +324,7 @@ double LampView::SeenByRays(const LampSpot& spot, DirectCounters& counters) cons
     seen += this->Occluders->IsOccluded(from, { y, this->LampFacet }) ? 0.0 : weight;
   }
   counters.shadowRays += ShadowRays;
-  return total > 0.0 ? this->Kernel.At(spot.place / this->Unit) * seen / total : 0.0;
+  return total > 0.0 ? this->Kernel.At(place / this->Unit) * seen / total : 0.0;
 }
 
 } // namespace vantage

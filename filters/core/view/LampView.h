@@ -30,7 +30,9 @@ public:
 
   /// Writes the integral of the cosine over what each spot sees of the lamp, in sr, to
   /// factors[index]. Changes the order of the spots.
-  DirectCounters Look(LampSpot* first, LampSpot* last, double* factors) const;
+  /// \param tolerance that spots may err by, relative to what they would see with nothing
+  /// in the way; 0: none
+  DirectCounters Look(LampSpot* first, LampSpot* last, double tolerance, double* factors) const;
 
 private:
   /// All that may stand between the lamp and some points.
@@ -38,6 +40,7 @@ private:
   {
     std::vector<std::uint32_t> facets; ///< of each occluder in the cutter
     LampCutter cutter;
+    double tolerance;
   };
   /// Spots, and those occluders of a search that may be in the way.
   struct Group
@@ -47,13 +50,18 @@ private:
     std::vector<std::uint32_t> occluders;
   };
 
-  Search SearchAround(const Group& all) const;
+  Search SearchAround(const Group& all, double tolerance) const;
   bool Narrow(Group& group, const Search& search) const;
   DirectCounters Look(Group group, const Search& search, double* factors) const;
   DirectCounters LookHalves(const Group& group, const Search& search, double* factors) const;
+  static bool IsSmall(const Group& group, const Search& search);
+  bool LookSmoothly(
+    const Group& group, const Search& search, double* factors, DirectCounters& counters) const;
   void LookAtEach(
     const Group& group, const Search& search, double* factors, DirectCounters& counters) const;
-  double SeenByRays(const LampSpot& spot, DirectCounters& counters) const;
+  double SeenFrom(const Vec2& place, const Group& group, const Search& search,
+    LampCutter::Shadows& shadows, DirectCounters& counters) const;
+  double SeenByRays(const Vec2& place, DirectCounters& counters) const;
   Polygon Bounds(const Group& group) const;
   Polygon Between(std::uint32_t facet) const;
   Polygon ToWorld(const Polygon& local) const;

@@ -71,7 +71,7 @@ public:
 
   void Measure()
   {
-    const std::vector<Color> irradiance = this->Gather->Direct(this->Wanted, *this->Counts);
+    const std::vector<Color> irradiance = this->Gather->Direct(this->Wanted, 0.0, *this->Counts);
     for (std::size_t i = 0; i < this->Wanted.size(); ++i)
     {
       this->Known[{ this->Wanted[i].patch, this->Wanted[i].point }] = irradiance[i];

@@ -44,13 +44,13 @@ struct GatherCounts
   }
 };
 
-/// Radiance at points of surfaces: what the named lamps give, exactly, plus indirect light that is
-/// gathered at some of the points and interpolated to the others, plus emission. So the more points
-/// are asked for at once, and the closer together they lie, the less each of them costs. Points on
-/// a border of their patch are moved inwards by a millionth of its size: there, the wall that the
-/// patch meets stands in the way as it should.
-/// Refers to occluders and solution, which must outlive it. Works on all threads of the arena; the
-/// results do not depend on their number.
+/// Radiance at points of surfaces: what the named lamps give, without noise, plus indirect light
+/// that is gathered at some of the points and interpolated to the others, plus emission. So the
+/// more points are asked for at once, and the closer together they lie, the less each of them
+/// costs. Points on a border of their patch are moved inwards by a millionth of its size: there,
+/// the wall that the patch meets stands in the way as it should. Refers to occluders and solution,
+/// which must outlive it. Works on all threads of the arena; the results do not depend on their
+/// number.
 class SurfaceGather
 {
 public:
@@ -75,7 +75,10 @@ public:
   }
 
   /// Irradiance from lamps at each point, W m^-2.
-  std::vector<Color> Direct(const std::vector<GatherPoint>& points, GatherCounts& counts) const;
+  /// \param error of the gather that it is for, Settings::error: half of it, and 1 % at most, is
+  /// the tolerance of what each lamp gives (DirectLight.h). 0: exact
+  std::vector<Color> Direct(
+    const std::vector<GatherPoint>& points, double error, GatherCounts& counts) const;
 
   Result Radiance(const std::vector<GatherPoint>& points, const Settings& settings) const;
 

@@ -76,7 +76,7 @@ void Gather::FindPoints()
 
 void Gather::LightDirectly()
 {
-  this->Direct = this->Light.Direct(this->Samples.points, this->Counts);
+  this->Direct = this->Light.Direct(this->Samples.points, this->Settings.error, this->Counts);
   if (!this->Settings.pixelCentres)
   {
     this->RefineShadowEdges();
@@ -149,7 +149,7 @@ void Gather::RefineShadowEdges()
         { point.patch, this->Plane.eye + height / glm::dot(normal, direction) * direction });
     }
   }
-  const std::vector<Color> direct = this->Light.Direct(parts, this->Counts);
+  const std::vector<Color> direct = this->Light.Direct(parts, this->Settings.error, this->Counts);
   for (std::size_t e = 0; e < edges.size(); ++e)
   {
     Color sum(0.0);

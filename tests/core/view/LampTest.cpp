@@ -135,5 +135,25 @@ TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)
   EXPECT_FALSE(cutter.HidesAll(pane, square(0.51)));
 }
 
+TEST(LampCutter, AShadowIsSharpWhereItsEdgeFallsBetweenPoints)
+{
+  const Polygon lamp{ { -0.1, -0.1, 1.0 }, { -0.1, 0.1, 1.0 }, { 0.1, 0.1, 1.0 },
+    { 0.1, -0.1, 1.0 } };
+  LampCutter cutter(lamp);
+  const std::uint32_t pane = cutter.AddOccluder(
+    { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
+  const std::uint32_t upright = cutter.AddOccluder(
+    { { 0.6, -0.1, 0.1 }, { 0.6, 0.1, 0.1 }, { 0.6, 0.1, 0.3 }, { 0.6, -0.1, 0.3 } });
+  const auto strip = [](double from, double to) {
+    return Polygon{ { from, -0.1, 0.0 }, { to, -0.1, 0.0 }, { to, 0.1, 0.0 }, { from, 0.1, 0.0 } };
+  };
+  EXPECT_FALSE(cutter.IsSharp(pane, strip(0.51, 0.69))); // in the penumbra, 0.2 wide
+  EXPECT_FALSE(cutter.IsSharp(pane, strip(0.51, 0.9)));
+  EXPECT_FALSE(cutter.IsSharp(pane, strip(-0.4, 0.69)));
+  EXPECT_TRUE(cutter.IsSharp(pane, strip(0.49, 0.71)));
+  EXPECT_FALSE(cutter.IsSharp(upright, strip(0.75, 0.79)));
+  EXPECT_TRUE(cutter.IsSharp(upright, strip(0.59, 0.79))); // its plane passes between
+}
+
 } // namespace
 } // namespace vantage

@@ -118,7 +118,7 @@ TEST(SurfaceGather, PointsBeyondTheBorderAreThoseOnIt)
   const PatchId floor = FloorOf(stage);
   const std::vector<Color> direct = gather.Direct(
     { { floor, { 0.3, -1e-9, 0.0 } }, { floor, { 0.3, 0.0, 0.0 } }, { floor, { 0.3, 1e-4, 0.0 } } },
-    counts);
+    0.0, counts);
   EXPECT_GT(direct[1].x, 0.1);
   EXPECT_NEAR(direct[0].x, direct[1].x, 1e-6);
   EXPECT_NEAR(direct[2].x, direct[1].x, 1e-3);
@@ -132,7 +132,7 @@ TEST(SurfaceGather, AddsWhatLampsGiveToWhatSurfacesReflect)
   const std::vector<GatherPoint> points{ { floor, { 0.5, 0.4, 0.0 } }, { floor, { 0.2, 0.2, 0.0 } },
     { floor + 1, { 0.5, 0.5, 0.0 } } };
   GatherCounts counts;
-  const std::vector<Color> direct = gather.Direct(points, counts);
+  const std::vector<Color> direct = gather.Direct(points, 0.0, counts);
   const SurfaceGather::Result result = gather.Radiance(points, {});
   // What is given to one point and taken from the other changes nothing else.
   std::vector<Color> moved = direct;

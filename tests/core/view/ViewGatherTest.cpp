@@ -94,7 +94,7 @@ Image BruteForce(const GatherStage& stage, const Camera& camera, int size)
     }
   }
   GatherCounts counts;
-  const std::vector<Color> direct = gather.Direct(points, counts);
+  const std::vector<Color> direct = gather.Direct(points, 0.0, counts);
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
