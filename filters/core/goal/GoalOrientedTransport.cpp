@@ -36,19 +36,6 @@ constexpr std::size_t LinksToGiveUp = 200000;
 /// the lamp in it, needs one solution and not one for each. With 8 a solution costs a tenth less,
 /// but light through a hundred slats errs 1.4 times as much: runs end before what hides is found.
 constexpr double RefinedAgain = 30.0;
-/// Areas that differ by less, relatively, are the same but for the rounding of coordinates.
-constexpr double SameSize = 1e-6;
-
-double LongestEdge(const Node& node)
-{
-  double longest = 0.0;
-  for (int i = 0; i < node.cornerCount; ++i)
-  {
-    longest =
-      std::max(longest, glm::length(node.corners[(i + 1) % node.cornerCount] - node.corners[i]));
-  }
-  return longest;
-}
 
 } // namespace
 
@@ -57,7 +44,7 @@ GoalOrientedTransport::GoalOrientedTransport(ElementTree tree, const OccluderSce
   : Open(std::move(tree), occluders, std::move(optics))
   , Occluders(&occluders)
   , Settings(settings)
-  , MinimumLength(settings.minimumElementSize * std::sqrt(meanFacetArea))
+  , Splits(settings.minimumElementSize * std::sqrt(meanFacetArea), settings.maximumLevel)
   , Evaluator(this->Open, occluders, settings.visibilityRays, settings.seed)
 {
   this->Evaluate({ LinkRequest{ { 0, 0 } } });
@@ -84,17 +71,17 @@ void GoalOrientedTransport::SetView(std::vector<ViewSample> samples)
 
 void GoalOrientedTransport::FollowTree()
 {
-  const auto firstNew = static_cast<OpenId>(this->MaySplit.size());
+  const auto firstNew = static_cast<OpenId>(this->Factors[WithCluster].size());
   this->RadianceFlow.Follow(this->Open);
   this->ImportanceFlow.Follow(this->Open);
   this->Interactions.Follow(this->Open);
+  this->Splits.Follow(this->Open);
   for (OpenId id = firstNew; id < this->Open.Size(); ++id)
   {
     for (std::vector<double>& factors : this->Factors)
     {
       factors.push_back(id == 0 ? 1.0 : factors[this->Open[id].parent]);
     }
-    this->MaySplit.push_back(this->IsLargeEnough(id));
     this->SetSource(id);
   }
 }
@@ -332,7 +319,7 @@ std::vector<Link> GoalOrientedTransport::TakeOutBad(std::size_t first, double le
   std::vector<std::uint32_t> bad;
   for (std::size_t i = first; i < links.size(); ++i)
   {
-    if (this->MayRefine(links[i]) &&
+    if (this->Splits.MayRefine(links[i]) &&
         this->Errors.Expected(this->Open, links[i], this->Hidden) >= least)
     {
       bad.push_back(static_cast<std::uint32_t>(i));
@@ -349,7 +336,7 @@ std::vector<std::uint32_t> GoalOrientedTransport::LinksToRefine() const
   for (std::uint32_t i = 0; i < this->Errors.OfLinks().size(); ++i)
   {
     ofAll += this->Errors.OfLinks()[i];
-    if (this->Errors.OfLinks()[i] > 0.0 && this->MayRefine(this->Interactions.Awake()[i]))
+    if (this->Errors.OfLinks()[i] > 0.0 && this->Splits.MayRefine(this->Interactions.Awake()[i]))
     {
       ofRefinable += this->Errors.OfLinks()[i];
       refinable.push_back(i);
@@ -358,42 +345,6 @@ std::vector<std::uint32_t> GoalOrientedTransport::LinksToRefine() const
   const bool isUseless =
     this->Interactions.Size() > LinksToGiveUp && ofRefinable < LeastGain * ofAll;
   return isUseless ? std::vector<std::uint32_t>() : refinable;
-}
-
-bool GoalOrientedTransport::IsLargeEnough(OpenId id) const
-{
-  const OpenNode& node = this->Open[id];
-  return node.IsCluster() || (node.level < this->Settings.maximumLevel &&
-                               0.5 * LongestEdge(this->Open.Geometry(id)) >= this->MinimumLength);
-}
-
-bool GoalOrientedTransport::MayRefine(const Link& link) const
-{
-  return this->MaySplit[link.ends[0]] || this->MaySplit[link.ends[1]];
-}
-
-std::array<bool, 2> GoalOrientedTransport::EndsToSplit(const Link& link) const
-{
-  const auto [a, b] = link.ends;
-  if (link.IsSelf())
-  {
-    return { true, true };
-  }
-  const std::array<bool, 2> may{ this->MaySplit[a], this->MaySplit[b] };
-  const double first = this->Open.Geometry(a).radius;
-  const double second = this->Open.Geometry(b).radius;
-  const bool isClusterFirst = this->Open[a].IsCluster();
-  const bool isClusterSecond = this->Open[b].IsCluster();
-  if (isClusterFirst != isClusterSecond)
-  {
-    // A surface sees the surfaces in a cluster, whatever the sizes: lamps are to get their names.
-    return { isClusterFirst, isClusterSecond };
-  }
-  if (!may[0] || !may[1] || (!isClusterFirst && std::abs(first - second) <= SameSize * first))
-  {
-    return may;
-  }
-  return { first >= second, first < second };
 }
 
 std::vector<OpenId> GoalOrientedTransport::Parts(OpenId id, bool isSplit)
@@ -410,7 +361,7 @@ std::vector<OpenId> GoalOrientedTransport::Parts(OpenId id, bool isSplit)
 
 void GoalOrientedTransport::AppendRequests(const Link& link, std::vector<LinkRequest>& requests)
 {
-  const std::array<bool, 2> split = this->EndsToSplit(link);
+  const std::array<bool, 2> split = this->Splits.EndsToSplit(this->Open, link);
   const std::vector<OpenId> first = this->Parts(link.ends[0], split[0]);
   const std::vector<OpenId> second = this->Parts(link.ends[1], split[1]);
   for (const OpenId a : first)
@@ -456,8 +407,8 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
 std::size_t GoalOrientedTransport::Bytes() const
 {
   return this->Open.Bytes() + this->Interactions.Bytes() + this->Errors.Bytes() +
-         2 * this->Factors[WithCluster].capacity() * sizeof(double) +
-         this->MaySplit.capacity() / 8 + this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
+         2 * this->Factors[WithCluster].capacity() * sizeof(double) + this->Splits.Bytes() +
+         this->RadianceFlow.Bytes() + this->ImportanceFlow.Bytes();
 }
 
 } // namespace vantage

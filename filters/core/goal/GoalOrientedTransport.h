@@ -5,6 +5,7 @@
 #include "core/goal/LinkErrors.h"
 #include "core/goal/LinkEvaluator.h"
 #include "core/goal/LinkSet.h"
+#include "core/goal/SplitRule.h"
 
 #include <cstdint>
 #include <vector>
@@ -106,9 +107,6 @@ private:
   /// Those that have an error and an end that may be split; none where there are many links and
   /// nearly all of the error is between elements that may not.
   std::vector<std::uint32_t> LinksToRefine() const;
-  bool IsLargeEnough(OpenId id) const;
-  bool MayRefine(const Link& link) const;
-  std::array<bool, 2> EndsToSplit(const Link& link) const;
   /// Of some links, or the mean of all when that is larger.
   double LeastError(const std::vector<std::uint32_t>& links) const;
   /// Makes the finer links that stand for some that were taken out.
@@ -124,14 +122,13 @@ private:
   OpenTree Open;
   const OccluderScene* Occluders;
   GoalOrientedSettings Settings;
-  double MinimumLength;
+  SplitRule Splits;
   LinkEvaluator Evaluator;
   LinkSet Interactions;
   LinkErrors Errors;        ///< of those that are awake
   double ErrorAtRest = 0.0; ///< what the others add to that, as squares
   HiddenLight Hidden;
   Closure Factors;
-  std::vector<bool> MaySplit; ///< of each node
   Flow RadianceFlow;
   Flow ImportanceFlow;
   double Estimate = 0.0;
