@@ -85,8 +85,8 @@ public:
   std::size_t LinkCount() const { return this->Interactions.Size(); }
   const Flow& Radiance() const { return this->RadianceFlow; }
   const Flow& Importance() const { return this->ImportanceFlow; }
-  /// The factor d of a node, of its links with surfaces (RowClosure.h).
-  double ClosureOf(OpenId id) const { return this->Factors[BetweenSurfaces][id]; }
+  /// The factor d of a node, of its links of a kind (RowClosure.h).
+  double ClosureOf(LinkKind kind, OpenId id) const { return this->Factors[kind][id]; }
   const GoalOrientedCounters& Counters() const { return this->Counts; }
   std::size_t Bytes() const;
 

@@ -49,8 +49,9 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
   this->SquareBefore.push_back(0.0);
   this->AlbedoBefore.emplace_back(0.0);
   this->EmissionBefore.emplace_back(0.0);
-  for (const PatchId patch : this->Patches)
+  for (std::uint32_t place = 0; place < this->Patches.size(); ++place)
   {
+    const PatchId patch = this->Patches[place];
     const double area = tree[tree.Patches()[patch].node].area;
     const PatchOptics& surface = optics[patch];
     this->AreaBefore.push_back(this->AreaBefore.back() + area);
@@ -59,6 +60,10 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
     this->SquareBefore.push_back(this->SquareBefore.back() + area * emission * emission);
     this->AlbedoBefore.push_back(this->AlbedoBefore.back() + area * surface.albedo);
     this->EmissionBefore.push_back(this->EmissionBefore.back() + area * surface.emission);
+    if (emission > 0.0)
+    {
+      this->LampPlaces.push_back(place);
+    }
   }
 }
 
@@ -87,10 +92,27 @@ PatchId PatchOrder::ByArea(const PatchRange& range, double u) const
   return this->Patches[PlaceWhere(this->AreaBefore, range, target)];
 }
 
+std::uint32_t PatchOrder::LampsBefore(std::uint32_t place) const
+{
+  const auto found = std::lower_bound(this->LampPlaces.begin(), this->LampPlaces.end(), place);
+  return static_cast<std::uint32_t>(found - this->LampPlaces.begin());
+}
+
+std::vector<PatchId> PatchOrder::LampsIn(const PatchRange& range) const
+{
+  std::vector<PatchId> lamps;
+  for (std::uint32_t k = this->LampsBefore(range.first); k < this->LampsBefore(range.last); ++k)
+  {
+    lamps.push_back(this->Patches[this->LampPlaces[k]]);
+  }
+  return lamps;
+}
+
 std::size_t PatchOrder::Bytes() const
 {
   return this->Ranges.capacity() * sizeof(PatchRange) +
-         (this->Patches.capacity() + this->Places.capacity()) * sizeof(std::uint32_t) +
+         (this->Patches.capacity() + this->Places.capacity() + this->LampPlaces.capacity()) *
+           sizeof(std::uint32_t) +
          3 * this->AreaBefore.capacity() * sizeof(double) +
          2 * this->AlbedoBefore.capacity() * sizeof(Color);
 }

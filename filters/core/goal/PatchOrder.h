@@ -48,6 +48,14 @@ public:
     return Between(this->SquareBefore, range);
   }
 
+  /// Those of a range that emit.
+  std::vector<PatchId> LampsIn(const PatchRange& range) const;
+  /// How many. O(log lamps).
+  std::uint32_t LampCount(const PatchRange& range) const
+  {
+    return this->LampsBefore(range.last) - this->LampsBefore(range.first);
+  }
+
   /// A patch drawn from a range, half of the chances by area and half by emitted power (all by area
   /// where nothing emits), and the density of a point drawn uniformly on it, per area.
   struct Draw
@@ -68,6 +76,8 @@ private:
     return before[range.last] - before[range.first];
   }
 
+  std::uint32_t LampsBefore(std::uint32_t place) const;
+
   std::vector<PatchRange> Ranges; ///< of clusters and patches; elements have none
   std::vector<PatchId> Patches;
   std::vector<std::uint32_t> Places; ///< of each patch
@@ -76,6 +86,7 @@ private:
   std::vector<double> SquareBefore;  ///< area times squared mean emission
   std::vector<Color> AlbedoBefore;
   std::vector<Color> EmissionBefore;
+  std::vector<std::uint32_t> LampPlaces; ///< of the patches that emit; ascending
 };
 
 } // namespace vantage

@@ -11,13 +11,17 @@ namespace
 
 /// A lamp that so many rays did not find is taken for hidden.
 constexpr std::uint32_t RaysToGiveUp = 64;
+/// The lamps in a cluster are named as well, if they are no more than this and give at least this
+/// part of what is received: then a gather has them one by one, with their shadows, at little cost.
+constexpr std::uint32_t FewLamps = 16;
+constexpr double LeastToName = 1e-3;
 
 /// Direct light that arrives at a node, not at its children alone.
 struct DirectLight
 {
   std::vector<PatchId> lamps;
-  Color named{ 0.0 };   ///< irradiance from these as the links have it, W m^-2
-  Color unnamed{ 0.0 }; ///< from others, without closure
+  OfKinds<Color> named{}; ///< irradiance from these as the links have it, W m^-2
+  Color unnamed{ 0.0 };   ///< from others, without closure
 };
 
 class SolutionMaker
@@ -62,35 +66,40 @@ private:
       return;
     }
     const Color irradiance = link.throughput / this->Tree[to].area * lamp.emission;
-    if (lamp.IsCluster())
+    if (lamp.IsCluster() && !this->IsWorthNames(from, to, irradiance))
     {
       this->Direct[to].unnamed += irradiance;
     }
     else if (link.throughput > 0.0 || link.agreeingRays < RaysToGiveUp)
     {
-      this->NameAll(from, this->Direct[to].lamps);
-      this->Direct[to].named += this->Transport.ClosureOf(from) * irradiance;
+      const LinkKind kind = KindOf(this->Tree, link);
+      const std::vector<PatchId> lamps = this->LampsOf(from);
+      this->Direct[to].lamps.insert(this->Direct[to].lamps.end(), lamps.begin(), lamps.end());
+      this->Direct[to].named[kind] += this->Transport.ClosureOf(kind, from) * irradiance;
     }
   }
 
-  /// The patches of a surface that was cut.
-  void NameAll(OpenId lamp, std::vector<PatchId>& lamps) const
+  std::vector<PatchId> LampsOf(OpenId id) const
   {
-    if (!this->Tree.Geometry(lamp).IsCluster())
-    {
-      lamps.push_back(this->Tree[lamp].patch);
-      return;
-    }
-    const PatchRange range = this->Tree.RangeOf(lamp);
-    for (std::uint32_t place = range.first; place < range.last; ++place)
-    {
-      lamps.push_back(this->Tree.Patches()[place]);
-    }
+    return this->Tree.Geometry(id).IsCluster()
+             ? this->Tree.Patches().LampsIn(this->Tree.RangeOf(id))
+             : std::vector<PatchId>{ this->Tree[id].patch };
+  }
+
+  /// Of a cluster: whether its lamps shall be known one by one.
+  bool IsWorthNames(OpenId cluster, OpenId to, const Color& irradiance) const
+  {
+    const double reflected = Mean(this->Tree[to].albedo) / Pi * Mean(irradiance);
+    return this->Tree.Patches().LampCount(this->Tree.RangeOf(cluster)) <= FewLamps &&
+           reflected >= LeastToName * Mean(this->Transport.Radiance().Received(to));
   }
 
   static void Inherit(DirectLight& child, const DirectLight& parent)
   {
-    child.named += parent.named;
+    for (const LinkKind kind : LinkKinds)
+    {
+      child.named[kind] += parent.named[kind];
+    }
     child.unnamed += parent.unnamed;
     child.lamps.insert(child.lamps.end(), parent.lamps.begin(), parent.lamps.end());
     std::sort(child.lamps.begin(), child.lamps.end());
@@ -112,8 +121,12 @@ private:
     }
     else
     {
-      const Color named = node.albedo / Pi * this->Transport.ClosureOf(id) * this->Direct[id].named;
-      element.indirect = glm::max(element.reflected - named, Color(0.0));
+      Color named(0.0);
+      for (const LinkKind kind : LinkKinds)
+      {
+        named += this->Transport.ClosureOf(kind, id) * this->Direct[id].named[kind];
+      }
+      element.indirect = glm::max(element.reflected - node.albedo / Pi * named, Color(0.0));
       this->NameLamps(element, this->Direct[id].lamps);
     }
     const bool hasManyPatches = this->Tree.Geometry(id).IsCluster();

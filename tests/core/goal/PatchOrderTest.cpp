@@ -47,6 +47,25 @@ std::vector<PatchId> PatchesBelow(const ElementTree& tree, NodeId node)
   return patches;
 }
 
+TEST(PatchOrder, KnowsTheLampsOfEveryNode)
+{
+  const Ordered o(TwoRooms());
+  ASSERT_GT(o.order.LampCount(o.order.RangeOf(o.tree.Root())), 1u);
+  for (NodeId node = 0; node < o.tree.Size(); ++node)
+  {
+    if (!o.tree[node].IsCluster() && !o.tree.Patches()[o.tree[node].patch].IsActive())
+    {
+      continue;
+    }
+    std::vector<PatchId> expected = PatchesBelow(o.tree, node);
+    const auto isDark = [&](PatchId patch)
+    { return MaxChannel(o.stage.optics[patch].emission) == 0.0; };
+    expected.erase(std::remove_if(expected.begin(), expected.end(), isDark), expected.end());
+    EXPECT_EQ(o.order.LampsIn(o.order.RangeOf(node)), expected);
+    EXPECT_EQ(o.order.LampCount(o.order.RangeOf(node)), expected.size());
+  }
+}
+
 TEST(PatchOrder, RangesOfChildrenPartitionThatOfTheirParent)
 {
   const Ordered o(TwoRooms());

@@ -1,6 +1,7 @@
 #include "core/goal/SolutionOfLinks.h"
 
 #include "core/goal/GoalScenes.h"
+#include "core/scene/Labyrinth.h"
 #include "properties/RandomScene.h"
 
 #include <gtest/gtest.h>
@@ -68,19 +69,51 @@ TEST(SolutionOfLinks, HasTheRadianceOfEveryLeafWhereItLies)
   }
 }
 
-TEST(SolutionOfLinks, BeforeAnythingWasLookedIntoAllLightIsUnnamed)
+std::vector<PatchId> AllLamps(const Solved& s)
 {
-  const Solved s(test::MakeFurnishedRoom(), 0);
+  std::vector<PatchId> lamps;
+  for (PatchId patch = 0; patch < s.stage.optics.size(); ++patch)
+  {
+    if (MaxChannel(s.stage.optics[patch].emission) > 0.0)
+    {
+      lamps.push_back(patch);
+    }
+  }
+  return lamps;
+}
+
+void ExpectOneElementForAll(const Solved& s)
+{
   ASSERT_EQ(s.solution.elements.size(), 1u);
-  const Link link = s.transport.Links()[0];
-  const Color expected = link.throughput / s.Tree()[0].area * s.Tree()[0].emission;
-  EXPECT_NEAR(glm::length(s.solution.elements[0].unnamedDirect - expected), 0.0, 1e-12);
-  EXPECT_TRUE(s.solution.lamps.empty());
   for (PatchId patch = 0; patch < s.solution.elementOfPatch.size(); ++patch)
   {
     EXPECT_TRUE(
       !s.Tree().Tree().Patches()[patch].IsActive() || s.solution.elementOfPatch[patch] == 0u);
   }
+}
+
+TEST(SolutionOfLinks, BeforeAnythingWasLookedIntoManyLampsAreUnnamed)
+{
+  LabyrinthSettings size;
+  size.rows = 5;
+  size.columns = 5;
+  const Solved s(MakeLabyrinth(size), 0);
+  ASSERT_GT(AllLamps(s).size(), 16u);
+  ExpectOneElementForAll(s);
+  const Link link = s.transport.Links()[0];
+  const Color expected = link.throughput / s.Tree()[0].area * s.Tree()[0].emission;
+  EXPECT_NEAR(glm::length(s.solution.elements[0].unnamedDirect - expected), 0.0, 1e-12);
+  EXPECT_TRUE(s.solution.lamps.empty());
+}
+
+TEST(SolutionOfLinks, FewLampsAreNamedBeforeAnythingWasLookedInto)
+{
+  const Solved s(test::MakeFurnishedRoom(), 0);
+  ExpectOneElementForAll(s);
+  EXPECT_EQ(s.solution.elements[0].unnamedDirect, Color(0.0));
+  EXPECT_EQ(s.solution.lamps, AllLamps(s));
+  // What they give is not indirect light as well.
+  EXPECT_LT(Mean(s.solution.elements[0].indirect), Mean(s.solution.elements[0].reflected));
 }
 
 /// For each lamp and leaf: light is counted once, under a name or without.
@@ -105,13 +138,20 @@ TEST(SolutionOfLinks, LampsAreNamedOrTheirLightIsUnnamed)
           {
             continue;
           }
-          if (lamp.IsCluster())
+          const OpenId to = link.ends[end];
+          const Color irradiance = link.throughput / tree[to].area * lamp.emission;
+          // The scene has few lamps: those of a cluster stay without names where they hardly count.
+          if (lamp.IsCluster() && Mean(tree[to].albedo) / Pi * Mean(irradiance) <
+                                    1e-3 * Mean(s.transport.Radiance().Received(to)))
           {
-            unnamed += link.throughput / tree[link.ends[end]].area * lamp.emission;
+            unnamed += irradiance;
           }
           else if (link.throughput > 0.0)
           {
-            named.push_back(lamp.patch);
+            const std::vector<PatchId> lamps =
+              lamp.IsCluster() ? tree.Patches().LampsIn(tree.RangeOf(link.ends[1 - end]))
+                               : std::vector<PatchId>{ lamp.patch };
+            named.insert(named.end(), lamps.begin(), lamps.end());
           }
         }
       }
