@@ -1,5 +1,7 @@
 #include "core/goal/SplitRule.h"
 
+#include "core/mesh/LongestEdge.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,17 +13,6 @@ namespace
 
 /// Radii that differ by less, relatively, are the same but for the rounding of coordinates.
 constexpr double SameSize = 1e-6;
-
-double LongestEdge(const Node& node)
-{
-  double longest = 0.0;
-  for (int i = 0; i < node.cornerCount; ++i)
-  {
-    longest =
-      std::max(longest, glm::length(node.corners[(i + 1) % node.cornerCount] - node.corners[i]));
-  }
-  return longest;
-}
 
 } // namespace
 

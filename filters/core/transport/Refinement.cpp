@@ -1,6 +1,7 @@
 #include "core/transport/Refinement.h"
 
 #include "core/Error.h"
+#include "core/mesh/LongestEdge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,6 @@ void RequireRange(const std::string& name, double value, bool isInside, const st
   {
     throw InputError("refinement: " + name + " is " + std::to_string(value) + "; give " + range);
   }
-}
-
-double LongestEdge(const Node& node)
-{
-  double longest = 0.0;
-  for (int i = 0; i < node.cornerCount; ++i)
-  {
-    longest =
-      std::max(longest, glm::length(node.corners[(i + 1) % node.cornerCount] - node.corners[i]));
-  }
-  return longest;
 }
 
 /// How much the kernel cos cos / r^2 varies over both ends, roughly, relative to its mean: their

@@ -32,8 +32,8 @@ struct DirectCounters
 /// of one patch and a lamp have few facets in between; without any, Lambert's formula holds, and
 /// the shadows of a few are cut out of the lamp at each point. Groups are halved until one or the
 /// other applies, or, if there is a tolerance, until a smooth fit to a few places does
-/// (SmoothFit.h): penumbrae are smooth. Where a point sees a lamp past more than a dozen facets
-/// that each hide a part, shadow rays decide; the relative error is then about 0.2 %. Refers to
+/// (SmoothFit.h): penumbrae are smooth. Where facets leave so many parts of a lamp that rays are
+/// quicker (LampCutter.h), shadow rays decide; the relative error is then about 0.2 %. Refers to
 /// occluders and solution, which must outlive it. Safe to use from many threads.
 class DirectLight
 {
