@@ -21,15 +21,16 @@ using test::Pixels;
 const Color LampRadiance(9.0, 7.0, 5.0);
 
 /// A floor of albedo (.6, .5, .4), a lamp above it, and what is given in between, black.
-Scene MakeLampOverFloor(const std::vector<std::vector<Vec3>>& occluders)
+Scene MakeLampOverFloor(const std::vector<std::vector<Vec3>>& occluders,
+  const std::vector<Vec3>& lampShape = {
+    { -0.2, -0.3, 1 }, { -0.2, 0.3, 1 }, { 0.3, 0.3, 1.1 }, { 0.3, -0.3, 1.1 } })
 {
   Scene scene;
   const std::uint32_t floor = AddMaterial(scene, { 0.6, 0.5, 0.4 });
   const std::uint32_t lamp = AddMaterial(scene, Color(0.0), LampRadiance);
   const std::uint32_t black = AddMaterial(scene, Color(0.0));
   scene.AddPolygon({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } }, floor);
-  scene.AddPolygon(
-    { { -0.2, -0.3, 1 }, { -0.2, 0.3, 1 }, { 0.3, 0.3, 1.1 }, { 0.3, -0.3, 1.1 } }, lamp);
+  scene.AddPolygon(lampShape, lamp);
   for (const auto& points : occluders)
   {
     scene.AddPolygon(points, black);
@@ -190,20 +191,15 @@ TEST(DirectLight, IsExactWhereNothingIsInBetweenWhateverTheTolerance)
 /// Wires below a small lamp: each shadow is a few pixels wide, and lies between the places of fits.
 TEST(DirectLight, ThinShadowsAreNotLost)
 {
-  Scene scene;
-  const std::uint32_t floor = AddMaterial(scene, { 0.6, 0.5, 0.4 });
-  const std::uint32_t lamp = AddMaterial(scene, Color(0.0), LampRadiance);
-  const std::uint32_t black = AddMaterial(scene, Color(0.0));
-  scene.AddPolygon({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } }, floor);
-  scene.AddPolygon(
-    { { -0.02, -0.02, 1 }, { -0.02, 0.02, 1 }, { 0.02, 0.02, 1 }, { 0.02, -0.02, 1 } }, lamp);
+  std::vector<std::vector<Vec3>> wires;
   for (int i = 0; i < 4; ++i)
   {
     const double x = -0.5 + 0.29 * i;
-    scene.AddPolygon({ { x, -0.7, 0.2 }, { x + 0.012, -0.7, 0.2 }, { x + 0.312, 0.7, 0.25 },
-                       { x + 0.3, 0.7, 0.25 } },
-      black);
+    wires.push_back({ { x, -0.7, 0.2 }, { x + 0.012, -0.7, 0.2 }, { x + 0.312, 0.7, 0.25 },
+      { x + 0.3, 0.7, 0.25 } });
   }
+  const Scene scene = MakeLampOverFloor(
+    wires, { { -0.02, -0.02, 1 }, { -0.02, 0.02, 1 }, { 0.02, 0.02, 1 }, { 0.02, -0.02, 1 } });
   for (const double tolerance : { 0.001, 0.01 })
   {
     const FloorError error(scene, 160, tolerance);
