@@ -2,7 +2,6 @@
 
 #include "core/math/ScrambledSobol.h"
 #include "core/transport/PairEvaluator.h"
-#include "core/visibility/PairVisibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,12 +165,7 @@ EvaluatedLink LinkEvaluator::EvaluateSurfaces(const LinkRequest& request) const
         { second, tree.PatchOf(b).facet }, this->Rays, Hash(this->Seed, a, b));
     link.visibility = seen.fraction;
     result.rays = seen.rays;
-    const bool isUnanimous = seen.fraction == 0.0 || seen.fraction == 1.0;
-    const bool continuesParent = seen.fraction == request.parentVisibility;
-    link.agreeingRays = seen.isCertain ? Certain
-                        : isUnanimous
-                          ? seen.rays + (continuesParent ? request.parentAgreeingRays : 0)
-                          : 0;
+    link.agreeingRays = AgreeingRays(seen, request.parentVisibility, request.parentAgreeingRays);
     result.isKnownHidden = seen.isCertain && seen.fraction == 0.0;
   }
   const double unoccluded = Throughput(first, second);

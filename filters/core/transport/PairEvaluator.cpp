@@ -1,7 +1,6 @@
 #include "core/transport/PairEvaluator.h"
 
 #include "core/math/Sampling.h"
-#include "core/visibility/PairVisibility.h"
 
 #include <algorithm>
 
@@ -35,6 +34,18 @@ std::uint64_t PathBelowPatch(const ElementTree& tree, NodeId node)
 }
 
 } // namespace
+
+std::uint32_t AgreeingRays(
+  const PairVisibility& seen, double parentVisibility, std::uint32_t parentAgreeingRays)
+{
+  if (seen.isCertain)
+  {
+    return Certain;
+  }
+  const bool isUnanimous = seen.fraction == 0.0 || seen.fraction == 1.0;
+  const std::uint32_t inherited = seen.fraction == parentVisibility ? parentAgreeingRays : 0;
+  return isUnanimous ? seen.lines + inherited : 0;
+}
 
 bool FaceEachOther(const Polygon& a, const Polygon& b)
 {
@@ -76,11 +87,7 @@ PairValue PairEvaluator::Evaluate(const ElementTree& tree, const ElementPair& pa
         pair.isRoot ? 4 * this->VisibilityRays : this->VisibilityRays, seed);
     value.visibility = seen.fraction;
     value.rays = seen.rays;
-    const bool isUnanimous = seen.fraction == 0.0 || seen.fraction == 1.0;
-    const bool continuesParent = seen.fraction == pair.parentVisibility;
-    value.agreeingRays = seen.isCertain ? Certain
-                         : isUnanimous ? seen.rays + (continuesParent ? pair.parentAgreeingRays : 0)
-                                       : 0;
+    value.agreeingRays = AgreeingRays(seen, pair.parentVisibility, pair.parentAgreeingRays);
   }
   if (value.visibility > 0.0)
   {

@@ -3,6 +3,7 @@
 #include "core/formfactor/FormFactor.h"
 #include "core/mesh/ElementTree.h"
 #include "core/visibility/OccluderScene.h"
+#include "core/visibility/PairVisibility.h"
 
 #include <cstdint>
 
@@ -53,6 +54,12 @@ private:
   Accuracy TheAccuracy;
   std::uint32_t VisibilityRays;
 };
+
+/// Rays that found the same of a pair and of the ancestors that found the same too, as
+/// PairValue::agreeingRays has them.
+/// \param parentVisibility and `parentAgreeingRays` of the pair that is refined
+std::uint32_t AgreeingRays(
+  const PairVisibility& seen, double parentVisibility, std::uint32_t parentAgreeingRays);
 
 /// Whether some of each shape lies in front of the other one.
 bool FaceEachOther(const Polygon& a, const Polygon& b);

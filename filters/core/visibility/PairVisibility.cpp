@@ -14,6 +14,9 @@ namespace
 
 /// Boxes and facets a proof of full visibility may look at: about the cost of ten rays.
 constexpr int ProofEffort = 160;
+/// A proof that nothing is visible looks at so many facets: behind the chair that hides the centres
+/// may stand the wall that hides all.
+constexpr int FacetsToTry = 4;
 
 /// The ends, in an order that does not depend on the order of the arguments. Two ends on one facet
 /// never see each other, so the facets tell the order of all others.
@@ -31,6 +34,14 @@ struct OrderedPair
   {
   }
 };
+
+/// Where a plane cuts a segment that has ends on both sides of it.
+Vec3 Crossing(const Vec3& from, const Vec3& to, const Plane& plane)
+{
+  const double before = plane.Distance(from);
+  const double after = plane.Distance(to);
+  return from + before / (before - after) * (to - from);
+}
 
 /// Whether the facet cuts every segment between two convex polygons. It does when its plane lies
 /// between them and it covers the crossings of the segments between their corners, because all
@@ -59,22 +70,48 @@ bool HidesAll(const Polygon& facet, const Polygon& a, const Polygon& b, double t
   return true;
 }
 
+/// Of the facets between the centres of a and b, from a on, one that hides all of b.
+bool IsProvablyHidden(const OccluderScene& occluders, const OrderedPair& pair, const Polygon& a,
+  const Polygon& b, std::uint32_t first, PairVisibility& result)
+{
+  const double tolerance = occluders.Tolerance();
+  const SurfacePoint to{ Centroid(b), pair.b.facet };
+  SurfacePoint from{ Centroid(a), first };
+  for (int tries = 1; !HidesAll(occluders.Shape(from.facet), a, b, tolerance); ++tries)
+  {
+    if (tries == FacetsToTry)
+    {
+      return false;
+    }
+    from.position =
+      Crossing(from.position, to.position, SupportingPlane(occluders.Shape(from.facet)));
+    const auto next = occluders.FirstOccluder(from, to);
+    ++result.rays;
+    if (!next)
+    {
+      return false;
+    }
+    from.facet = *next;
+  }
+  return true;
+}
+
 /// A proof that everything or nothing of a and b, both cut to each other's front, is visible. One
 /// ray between the centres tells which of the two is worth trying.
 bool Prove(const OccluderScene& occluders, const OrderedPair& pair, const Polygon& a,
   const Polygon& b, PairVisibility& result)
 {
-  const double tolerance = occluders.Tolerance();
   const auto occluder =
     occluders.FirstOccluder({ Centroid(a), pair.a.facet }, { Centroid(b), pair.b.facet });
   ++result.rays;
+  ++result.lines;
   if (occluder)
   {
     result.fraction = 0.0;
-    return HidesAll(occluders.Shape(*occluder), a, b, tolerance);
+    return IsProvablyHidden(occluders, pair, a, b, *occluder, result);
   }
   result.fraction = 1.0;
-  const auto shaft = Shaft(a, b, tolerance);
+  const auto shaft = Shaft(a, b, occluders.Tolerance());
   return shaft && occluders.IsProvablyEmpty(*shaft, ProofEffort);
 }
 
@@ -96,6 +133,7 @@ void Sample(const OccluderScene& occluders, const OrderedPair& pair, std::uint32
       facing += weight;
       free += occluders.IsOccluded({ p, pair.a.facet }, { q, pair.b.facet }) ? 0.0 : weight;
       ++result.rays;
+      ++result.lines;
     }
   }
   result.fraction = facing > 0.0 ? free / facing : 0.0;
