@@ -38,8 +38,8 @@ struct DirectCounters
 class DirectLight
 {
 public:
-  /// \param tolerance of what each lamp gives, relative to what it would give with nothing in the
-  /// way, >= 0. Tested at some places: most points err by much less, a few by more. 0: none
+  /// \param tolerance of what each lamp gives, relative to the most that points around get of it,
+  /// >= 0. Tested at some places: most points err by much less, a few by more. 0: none
   DirectLight(
     const OccluderScene& occluders, const RadianceSolution& solution, double tolerance = 0.0)
     : Occluders(&occluders)

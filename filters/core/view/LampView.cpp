@@ -264,9 +264,8 @@ bool LampView::LookSmoothly(
     return false;
   }
   const auto [low, high] = Around(group.first, group.last);
-  const double whole = this->Kernel.At(0.5 * (low + high) / this->Unit);
   LampCutter::Shadows shadows;
-  const auto fit = FitSmooth(low, high, search.tolerance * whole,
+  const auto fit = FitSmooth(low, high, search.tolerance,
     [&](const Vec2& place) { return this->SeenFrom(place, group, search, shadows, counters); });
   if (!fit)
   {

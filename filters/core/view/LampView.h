@@ -30,8 +30,7 @@ public:
 
   /// Writes the integral of the cosine over what each spot sees of the lamp, in sr, to
   /// factors[index]. Changes the order of the spots.
-  /// \param tolerance that spots may err by, relative to what they would see with nothing
-  /// in the way; 0: none
+  /// \param tolerance that spots may err by, relative to the most that spots around see; 0: none
   DirectCounters Look(LampSpot* first, LampSpot* last, double tolerance, double* factors) const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include "core/math/Types.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -57,22 +58,25 @@ private:
   std::array<double, Count> Values{};
 };
 
-/// A fit to f(place) over a rectangle, if at four more places it is within `tolerance` of f and, at
-/// the places of its values, f is nearly linear: within `LargestBend` tolerances of what its
-/// neighbours in a row say. Thirteen values of f, mostly five where it fails.
+/// A fit to f(place) >= 0 over a rectangle, if at four more places it is within `tolerance` of f
+/// and, at the places of its values, f is nearly linear: within `LargestBend` tolerances of what
+/// its neighbours in a row say. Thirteen values of f, mostly five where it fails.
+/// \param relativeTolerance the tolerance, relative to the largest of five of these values
 template <typename Function>
 std::optional<BiquadraticFit> FitSmooth(
-  const Vec2& low, const Vec2& high, double tolerance, const Function& f)
+  const Vec2& low, const Vec2& high, double relativeTolerance, const Function& f)
 {
   constexpr double LargestBend = 8.0;
   BiquadraticFit fit(low, high);
   const auto isNear = [](double a, double b, double distance)
   { return std::abs(a - b) <= distance; };
-  for (const int corner : { 0, 2, 6, 8 })
+  double largest = 0.0;
+  for (const int k : { 0, 2, 6, 8, 4 })
   {
-    fit[corner] = f(fit.Place(corner));
+    fit[k] = f(fit.Place(k));
+    largest = std::max(largest, fit[k]);
   }
-  fit[4] = f(fit.Place(4));
+  const double tolerance = relativeTolerance * largest;
   if (!isNear(0.25 * (fit[0] + fit[2] + fit[6] + fit[8]), fit[4], LargestBend * tolerance))
   {
     return std::nullopt;

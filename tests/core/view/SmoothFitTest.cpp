@@ -32,7 +32,7 @@ TEST(SmoothFit, IsExactForABiquadraticPolynomial)
 
 TEST(SmoothFit, StaysWithinItsTolerance)
 {
-  const auto wave = [](const Vec2& p) { return 0.04 * std::sin(0.6 * p.x + 0.2 * p.y); };
+  const auto wave = [](const Vec2& p) { return 1.0 + 0.04 * std::sin(0.6 * p.x + 0.2 * p.y); };
   for (const double tolerance : { 1e-2, 2e-3 })
   {
     const auto fit = FitSmooth(Low, High, tolerance, wave);
@@ -44,6 +44,15 @@ TEST(SmoothFit, StaysWithinItsTolerance)
     }
   }
   EXPECT_FALSE(FitSmooth(Low, High, 1e-6, wave));
+}
+
+TEST(SmoothFit, ItsToleranceIsRelativeToTheValues)
+{
+  const auto wave = [](const Vec2& p) { return 1.0 + 0.04 * std::sin(0.6 * p.x + 0.2 * p.y); };
+  const auto dim = [&](const Vec2& p) { return 1e-3 * wave(p); };
+  EXPECT_TRUE(FitSmooth(Low, High, 2e-3, dim));
+  EXPECT_FALSE(FitSmooth(Low, High, 1e-6, dim));
+  EXPECT_TRUE(FitSmooth(Low, High, 1e-6, [](const Vec2&) { return 0.0; }));
 }
 
 TEST(SmoothFit, AJumpIsNoticedSoon)
