@@ -60,8 +60,8 @@ struct Budget
 /// estimates are on the safe side, which leaves room for what is systematic and no estimate knows:
 /// measured, as the least time to a true error of 1 % in labyrinths at which nineteen pictures of
 /// twenty keep what was asked (vantage-benchmarks speed, study).
-inline constexpr double GoalShare = 0.93;
-inline constexpr double GatherShare = 0.4;
+inline constexpr double GoalShare = 0.83;
+inline constexpr double GatherShare = 0.55;
 
 /// The same of a mesh whose points are gathered and interpolated between (GatherElements()).
 inline constexpr double InterpolationShare = 0.35;

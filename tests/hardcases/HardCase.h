@@ -37,6 +37,7 @@ inline Image CasePicture(
   settings.width = settings.height = pixels;
   settings.pixelCentres = true;
   settings.error = GatherShare * error;
+  settings.seed = seed;
   return SolvedCase(scene, error, seed).Gather(scene.cameras[0], settings).radiance;
 }
 

@@ -190,9 +190,9 @@ TEST(ImportanceDrivenShooting, GoalOrientedRunsToItsErrorAndContinues)
   const vtkIdType rows = HistoryOf(filter)->GetNumberOfRows();
   EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.1);
   EXPECT_GT(LastOf(HistoryOf(filter), "ClusterPairs"), 0);
-  filter->SetError(0.03);
+  filter->SetError(0.01);
   filter->Update();
-  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.03);
+  EXPECT_LE(LastOf(HistoryOf(filter), "ErrorEstimate"), 0.01);
   EXPECT_GT(HistoryOf(filter)->GetNumberOfRows(), rows);
 }
 

@@ -139,8 +139,8 @@ void GoalOrientedTransport::Solve()
 
 void GoalOrientedTransport::Rank()
 {
-  this->Errors = LinkErrors(
-    this->Open, this->Interactions.Awake(), this->RadianceFlow, this->ImportanceFlow, this->Hidden);
+  this->Errors = LinkErrors(this->Open, this->Interactions.Awake(), this->RadianceFlow,
+    this->ImportanceFlow, this->Factors, this->Hidden);
 }
 
 /// Radiance times importance, but where little light is known the view may yet find some.

@@ -13,11 +13,11 @@ namespace
 /// Measured: vantage-benchmarks study, all scenes and random rooms, asked errors of 10, 5, 2 and
 /// 1 %, so that nineteen pictures of twenty keep what was asked, at the least cost. Uncertainties
 /// are upper bounds where rays agree, and deviations where they do not.
-constexpr double OfSurfaces = 0.39;
-constexpr double OfClusters = 0.065;
-constexpr double OfUnnamed = 0.325;
-constexpr double OfNode = 0.78;
-constexpr double OfAllNodes = 0.0156;
+constexpr double OfSurfaces = 1.5;
+constexpr double OfClusters = 0.03;
+constexpr double OfUnnamed = 0.15;
+constexpr double OfNode = 0.35;
+constexpr double OfAllNodes = 0.007;
 
 double Square(double x)
 {
@@ -48,7 +48,7 @@ struct LinkErrors::Parts
 };
 
 LinkErrors::LinkErrors(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
-  const Flow& importance, const HiddenLight& hidden)
+  const Flow& importance, const Closure& closure, const HiddenLight& hidden)
   : Nodes(tree.Size())
 {
   for (OpenId id = 0; id < tree.Size(); ++id)
@@ -62,6 +62,10 @@ LinkErrors::LinkErrors(const OpenTree& tree, const std::vector<Link>& links, con
     node.emission = Mean(radiance.Source(id));
     node.straight = importance.StraightPart(id);
     node.sourceOfImportance = importance.RmsOfSource(id);
+    for (const LinkKind kind : LinkKinds)
+    {
+      node.closure[kind] = closure[kind][id];
+    }
   }
   std::vector<Parts> partsOfLink;
   partsOfLink.reserve(links.size());
@@ -95,9 +99,10 @@ LinkErrors::Parts LinkErrors::PartsOf(
   const OpenTree& tree, const Link& link, const HiddenLight& hidden) const
 {
   Parts parts;
-  const double variation = link.variation + link.shadowing;
+  const double closed = this->Closed(link);
+  const double variation = closed * (link.variation + link.shadowing);
   const double uncertainty =
-    link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
+    closed * link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
   for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
   {
     const NodeValues& to = this->Nodes[link.ends[end]];
@@ -124,6 +129,15 @@ LinkErrors::Parts LinkErrors::PartsOf(
   return parts;
 }
 
+/// By what the closure multiplies a link; where it makes less of it, the rest is not certain.
+double LinkErrors::Closed(const Link& link) const
+{
+  const NodeValues& first = this->Nodes[link.ends[0]];
+  const NodeValues& second = this->Nodes[link.ends[1]];
+  const LinkKind kind = first.isCluster || second.isCluster ? WithCluster : BetweenSurfaces;
+  return std::max(1.0, first.closure[kind] * second.closure[kind]);
+}
+
 double LinkErrors::LossWithout(const Link& link, const Parts& parts) const
 {
   double loss = Square(parts.random) + Loss(1.0, this->SumOfClusters, parts.ofClusters) +
@@ -145,6 +159,7 @@ void LinkErrors::Follow(const OpenTree& tree, const Flow& radiance, const Flow& 
     const double received = parent.radiance - parent.emission;
     NodeValues node;
     node.isCluster = tree[id].IsCluster();
+    node.closure = parent.closure;
     node.emission = Mean(radiance.Source(id));
     node.radiance = node.emission + received;
     node.importance = parent.importance;

@@ -23,6 +23,10 @@ namespace vantage
 ///   well has the same sign for all links of that end: mean(L P) is not mean(L) mean(P). These add
 ///   up over the links of a node, at either end; over the nodes partly so, and partly as squares.
 ///
+/// Where links with clusters have missed most of what a surface sees, as between the slats of a
+/// louvre, the closure multiplies what they have found by the factors d of both ends
+/// (RowClosure.h), and with it what they do not know.
+///
 /// The factors were measured: see the source.
 class LinkErrors
 {
@@ -30,7 +34,7 @@ public:
   LinkErrors() = default;
   /// `hidden` says what is to be expected of links that no ray has got through. O(links + nodes).
   LinkErrors(const OpenTree& tree, const std::vector<Link>& links, const Flow& radiance,
-    const Flow& importance, const HiddenLight& hidden = {});
+    const Flow& importance, const Closure& closure, const HiddenLight& hidden = {});
 
   /// Estimated absolute error, in the unit of the view flux.
   double All() const { return this->OfAll; }
@@ -55,6 +59,7 @@ private:
     double emission = 0.0;
     double straight = 0.0;           ///< part of the importance that came over one reflection
     double sourceOfImportance = 0.0; ///< root mean square
+    OfKinds<double> closure{};
     bool isCluster = false;
     double atReceiver = 0.0; ///< sums over its links
     double atShooter = 0.0;
@@ -62,6 +67,7 @@ private:
   struct Parts;
 
   Parts PartsOf(const OpenTree& tree, const Link& link, const HiddenLight& hidden) const;
+  double Closed(const Link& link) const;
   double LossWithout(const Link& link, const Parts& parts) const;
 
   std::vector<NodeValues> Nodes;

@@ -1,6 +1,7 @@
 #include "core/goal/GoalOrientedTransport.h"
 
 #include "core/goal/GoalScenes.h"
+#include "core/goal/SolvedLinks.h"
 #include "core/scene/Labyrinth.h"
 #include "core/transport/PairEvaluator.h"
 #include "core/visibility/PairVisibility.h"
@@ -247,7 +248,7 @@ TEST(GoalOrientedTransport, ARoundFollowsWhatIsBadDownTheTree)
     return counters.surfacePairs + counters.clusterPairs - counters.hidden;
   };
   int deepRounds = 0;
-  while (t.transport.ErrorEstimate() > 0.05 && t.transport.Counters().rounds < 100)
+  while (t.transport.ErrorEstimate() > 0.02 && t.transport.Counters().rounds < 100)
   {
     const std::uint64_t before = made();
     ASSERT_GT(t.transport.Refine(0.45), 0u);
@@ -317,7 +318,8 @@ TEST(GoalOrientedTransport, ItEndsOnlyWhenNothingThatRestsMayBeRefinedEither)
   }
   const OpenTree& tree = t.transport.Tree();
   const std::vector<Link> links = t.transport.Links();
-  const LinkErrors errors(tree, links, t.transport.Radiance(), t.transport.Importance());
+  const LinkErrors errors(
+    tree, links, t.transport.Radiance(), t.transport.Importance(), test::NoClosure(tree));
   for (std::size_t i = 0; i < links.size(); ++i)
   {
     if (KindOf(tree, links[i]) == WithCluster)
