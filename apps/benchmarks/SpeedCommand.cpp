@@ -151,10 +151,23 @@ double PathTracingCpuToGoal(const Target& target, std::uint64_t seed, double goa
   return Never;
 }
 
+/// True error after so many seconds of solving. The picture is gathered for the goal, so that what
+/// is compared is what the solutions are worth.
+double ErrorInTime(const Target& target, EngineSettings engine, double goal, double seconds)
+{
+  engine.error = goal;
+  engine.seconds = seconds;
+  const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
+  const double error = target.ErrorOf(run.image);
+  std::printf(
+    "# in the same time: true %.5f, %.4f s + %.4f s\n", error, run.solveCpu, run.imageCpu);
+  return error;
+}
+
 /// When all surfaces matter alike.
 struct WithoutImportance
 {
-  double error = Never; ///< true, over that with importance, in the same time
+  double error = Never; ///< true, over that with importance, in the same time of solving
   double time = Never;  ///< to the same goal, over that with importance
 };
 
@@ -165,16 +178,11 @@ WithoutImportance CostWithoutImportance(const Target& target, EngineSettings eng
   {
     return {};
   }
+  const double errorWith = ErrorInTime(target, engine, goal, with.solve);
   engine.importance = false;
   std::printf("# without importance\n");
-  const Cost without = CpuToGoal(target, engine, goal);
-  engine.error = goal;
-  engine.seconds = with.solve;
-  const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
-  const double error = target.ErrorOf(run.image);
-  std::printf(
-    "# in the same time: true %.5f, %.4f s + %.4f s\n", error, run.solveCpu, run.imageCpu);
-  return { error / with.error, without.All() / with.All() };
+  const double errorWithout = ErrorInTime(target, engine, goal, with.solve);
+  return { errorWithout / errorWith, CpuToGoal(target, engine, goal).All() / with.All() };
 }
 
 /// The picture with pixels that are integrated over their area against one of their centres.

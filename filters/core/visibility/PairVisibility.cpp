@@ -35,12 +35,14 @@ struct OrderedPair
   }
 };
 
-/// Where a plane cuts a segment that has ends on both sides of it.
-Vec3 Crossing(const Vec3& from, const Vec3& to, const Plane& plane)
+/// Where a facet cuts a segment, as its plane tells; a facet may be a little bent.
+Vec3 Crossing(const Vec3& from, const Vec3& to, const Polygon& facet)
 {
+  const Plane plane = SupportingPlane(facet);
   const double before = plane.Distance(from);
   const double after = plane.Distance(to);
-  return from + before / (before - after) * (to - from);
+  const double t = before != after ? std::clamp(before / (before - after), 0.0, 1.0) : 0.0;
+  return from + t * (to - from);
 }
 
 /// Whether the facet cuts every segment between two convex polygons. It does when its plane lies
@@ -83,8 +85,7 @@ bool IsProvablyHidden(const OccluderScene& occluders, const OrderedPair& pair, c
     {
       return false;
     }
-    from.position =
-      Crossing(from.position, to.position, SupportingPlane(occluders.Shape(from.facet)));
+    from.position = Crossing(from.position, to.position, occluders.Shape(from.facet));
     const auto next = occluders.FirstOccluder(from, to);
     ++result.rays;
     if (!next)
