@@ -91,17 +91,24 @@ TEST(HardCase, APinhole)
   scene.cameras.push_back(camera);
   const double traced = test::TracedMean(scene, 1024);
   constexpr int Seeds = 5;
-  double mean = 0.0;
-  for (int seed = 1; seed <= Seeds; ++seed)
+  struct Held
   {
-    const double one =
-      test::MeanRadiance(test::CasePicture(scene, 0.02, test::CasePixels, seed)) / traced;
-    // Four times the spread over ten seeds, and the noise of the slow twin.
-    EXPECT_NEAR(one, 1.0, 0.12) << "seed " << seed;
-    mean += one / Seeds;
+    double asked, one, mean;
+  };
+  // One picture: three times the spread over twenty seeds. Their mean: that of five, at 2 % and the
+  // noise of the slow twin, about 2 %.
+  for (const Held& held : { Held{ 0.05, 0.15, 0.07 }, Held{ 0.02, 0.12, 0.06 } })
+  {
+    double mean = 0.0;
+    for (int seed = 1; seed <= Seeds; ++seed)
+    {
+      const double one =
+        test::MeanRadiance(test::CasePicture(scene, held.asked, test::CasePixels, seed)) / traced;
+      EXPECT_NEAR(one, 1.0, held.one) << "asked " << held.asked << ", seed " << seed;
+      mean += one / Seeds;
+    }
+    EXPECT_NEAR(mean, 1.0, held.mean) << "asked " << held.asked;
   }
-  // Noise of the slow twin: about 2 %.
-  EXPECT_NEAR(mean, 1.0, 0.06);
 }
 
 } // namespace
