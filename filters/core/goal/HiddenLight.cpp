@@ -35,32 +35,36 @@ bool HiddenLight::Concerns(const OpenTree& tree, const Link& link)
   return link.visibility == 0.0 && !link.IsSelf() && KindOf(tree, link) == WithCluster;
 }
 
+/// Of the most that the links of a bin could carry.
+double HiddenLight::Bin::Expected(double rule) const
+{
+  if (this->most == 0.0)
+  {
+    return 1.0;
+  }
+  const double weightOfRule = LinksOfRule / this->links;
+  return (this->carried / this->most + weightOfRule * rule) / (1.0 + weightOfRule);
+}
+
 void HiddenLight::Learn(const Link& link, double throughput)
 {
   const double most = link.uncertainty / Rule(link.agreeingRays);
-  Bin& bin = this->Bins[BinOf(link.agreeingRays, this->Bins.size())];
-  ++bin.links;
-  bin.most += most;
-  bin.carried += std::min(most, throughput);
+  std::size_t b = BinOf(link.agreeingRays, this->Bins.size());
+  ++this->Bins[b].links;
+  this->Bins[b].most += most;
+  this->Bins[b].carried += std::min(most, throughput);
+  for (; b + 1 < this->Bins.size(); ++b)
+  {
+    const double mostRays = std::exp2(b + 1.0) - 2.0;
+    this->Bins[b + 1].least = std::min(this->Bins[b].least, this->Bins[b].Expected(Rule(mostRays)));
+  }
 }
 
 double HiddenLight::Doubt(const Link& link) const
 {
-  const std::size_t own = BinOf(link.agreeingRays, this->Bins.size());
+  const Bin& own = this->Bins[BinOf(link.agreeingRays, this->Bins.size())];
   const double byRule = Rule(link.agreeingRays);
-  double expected = byRule;
-  for (std::size_t b = 0; b <= own; ++b)
-  {
-    const Bin& bin = this->Bins[b];
-    if (bin.most > 0.0)
-    {
-      const double rule = b == own ? byRule : Rule(std::exp2(b + 1.0) - 2.0);
-      const double weightOfRule = LinksOfRule / bin.links;
-      expected =
-        std::min(expected, (bin.carried / bin.most + weightOfRule * rule) / (1.0 + weightOfRule));
-    }
-  }
-  return expected / byRule;
+  return std::min({ byRule, own.least, own.Expected(byRule) }) / byRule;
 }
 
 } // namespace vantage

@@ -37,6 +37,9 @@ private:
     std::uint32_t links = 0; ///< that were refined
     double most = 0.0;       ///< throughput that these could have had, m^2 sr
     double carried = 0.0;    ///< and had
+    double least = 1.0;      ///< that is expected of any bin below this one
+
+    double Expected(double rule) const;
   };
 
   std::array<Bin, 16> Bins{};
