@@ -155,13 +155,10 @@ double PathTracingCpuToGoal(const Target& target, std::uint64_t seed, double goa
 /// is compared is what the solutions are worth.
 double ErrorInTime(const Target& target, EngineSettings engine, double goal, double seconds)
 {
+  std::printf("# in the same time\n");
   engine.error = goal;
   engine.seconds = seconds;
-  const EngineRun run = RunEngine(target.GetScene(), target.GetView(), engine);
-  const double error = target.ErrorOf(run.image);
-  std::printf(
-    "# in the same time: true %.5f, %.4f s + %.4f s\n", error, run.solveCpu, run.imageCpu);
-  return error;
+  return CostOf(target, engine).error;
 }
 
 /// When all surfaces matter alike.

@@ -95,8 +95,8 @@ TEST(HardCase, APinhole)
   {
     double asked, one, mean;
   };
-  // One picture: three times the spread over twenty seeds. Their mean: that of five, at 2 % and the
-  // noise of the slow twin, about 2 %.
+  // One picture: three times the spread over twenty seeds. The mean of five: three times its own,
+  // and the noise of the slow twin, about 2 %, at 2 %.
   for (const Held& held : { Held{ 0.05, 0.15, 0.07 }, Held{ 0.02, 0.12, 0.06 } })
   {
     double mean = 0.0;

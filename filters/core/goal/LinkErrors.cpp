@@ -100,7 +100,8 @@ LinkErrors::Parts LinkErrors::PartsOf(
   const OpenTree& tree, const Link& link, const HiddenLight& hidden) const
 {
   Parts parts;
-  const double closed = this->Closed(link);
+  const LinkKind kind = KindOf(tree, link);
+  const double closed = this->Closed(link, kind);
   const double variation = closed * (link.variation + link.shadowing);
   const double uncertainty =
     closed * link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
@@ -114,7 +115,7 @@ LinkErrors::Parts LinkErrors::PartsOf(
       from.isCluster ? from.radiance : from.radiance - to.straight * from.emission;
     const double unknown =
       uncertainty * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
-    if (from.isCluster || to.isCluster)
+    if (kind == WithCluster)
     {
       const double unnamed = from.isCluster ? from.emission : 0.0;
       parts.ofClusters +=
@@ -131,12 +132,10 @@ LinkErrors::Parts LinkErrors::PartsOf(
 }
 
 /// By what the closure multiplies a link; where it makes less of it, the rest is not certain.
-double LinkErrors::Closed(const Link& link) const
+double LinkErrors::Closed(const Link& link, LinkKind kind) const
 {
-  const NodeValues& first = this->Nodes[link.ends[0]];
-  const NodeValues& second = this->Nodes[link.ends[1]];
-  const LinkKind kind = first.isCluster || second.isCluster ? WithCluster : BetweenSurfaces;
-  return std::max(1.0, first.closure[kind] * second.closure[kind]);
+  const auto [first, second] = link.ends;
+  return std::max(1.0, this->Nodes[first].closure[kind] * this->Nodes[second].closure[kind]);
 }
 
 double LinkErrors::LossWithout(const Link& link, const Parts& parts) const

@@ -67,7 +67,7 @@ private:
   struct Parts;
 
   Parts PartsOf(const OpenTree& tree, const Link& link, const HiddenLight& hidden) const;
-  double Closed(const Link& link) const;
+  double Closed(const Link& link, LinkKind kind) const;
   double LossWithout(const Link& link, const Parts& parts) const;
 
   std::vector<NodeValues> Nodes;

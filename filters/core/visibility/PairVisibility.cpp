@@ -79,13 +79,18 @@ bool IsProvablyHidden(const OccluderScene& occluders, const OrderedPair& pair, c
   const double tolerance = occluders.Tolerance();
   const SurfacePoint to{ Centroid(b), pair.b.facet };
   SurfacePoint from{ Centroid(a), first };
-  for (int tries = 1; !HidesAll(occluders.Shape(from.facet), a, b, tolerance); ++tries)
+  for (int tries = 1;; ++tries)
   {
+    const Polygon facet = occluders.Shape(from.facet);
+    if (HidesAll(facet, a, b, tolerance))
+    {
+      return true;
+    }
     if (tries == FacetsToTry)
     {
       return false;
     }
-    from.position = Crossing(from.position, to.position, occluders.Shape(from.facet));
+    from.position = Crossing(from.position, to.position, facet);
     const auto next = occluders.FirstOccluder(from, to);
     ++result.rays;
     if (!next)
@@ -94,7 +99,6 @@ bool IsProvablyHidden(const OccluderScene& occluders, const OrderedPair& pair, c
     }
     from.facet = *next;
   }
-  return true;
 }
 
 /// A proof that everything or nothing of a and b, both cut to each other's front, is visible. One

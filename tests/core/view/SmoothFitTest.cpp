@@ -12,6 +12,11 @@ namespace
 const Vec2 Low(-1.0, 2.0);
 const Vec2 High(0.5, 6.0);
 
+double Wave(const Vec2& p)
+{
+  return 1.0 + 0.04 * std::sin(0.6 * p.x + 0.2 * p.y);
+}
+
 TEST(SmoothFit, IsExactForABiquadraticPolynomial)
 {
   int calls = 0;
@@ -32,24 +37,22 @@ TEST(SmoothFit, IsExactForABiquadraticPolynomial)
 
 TEST(SmoothFit, StaysWithinItsTolerance)
 {
-  const auto wave = [](const Vec2& p) { return 1.0 + 0.04 * std::sin(0.6 * p.x + 0.2 * p.y); };
   for (const double tolerance : { 1e-2, 2e-3 })
   {
-    const auto fit = FitSmooth(Low, High, tolerance, wave);
+    const auto fit = FitSmooth(Low, High, tolerance, Wave);
     ASSERT_TRUE(fit) << tolerance;
     for (int i = 0; i <= 100; ++i)
     {
       const Vec2 place = Low + Vec2(0.1 * (i % 11), 0.1 * (i / 11)) * (High - Low);
-      EXPECT_NEAR(fit->At(place), wave(place), 2.0 * tolerance); // between the places looked at
+      EXPECT_NEAR(fit->At(place), Wave(place), 2.0 * tolerance); // between the places looked at
     }
   }
-  EXPECT_FALSE(FitSmooth(Low, High, 1e-6, wave));
+  EXPECT_FALSE(FitSmooth(Low, High, 1e-6, Wave));
 }
 
 TEST(SmoothFit, ItsToleranceIsRelativeToTheValues)
 {
-  const auto wave = [](const Vec2& p) { return 1.0 + 0.04 * std::sin(0.6 * p.x + 0.2 * p.y); };
-  const auto dim = [&](const Vec2& p) { return 1e-3 * wave(p); };
+  const auto dim = [](const Vec2& p) { return 1e-3 * Wave(p); };
   EXPECT_TRUE(FitSmooth(Low, High, 2e-3, dim));
   EXPECT_FALSE(FitSmooth(Low, High, 1e-6, dim));
   EXPECT_TRUE(FitSmooth(Low, High, 1e-6, [](const Vec2&) { return 0.0; }));
