@@ -45,7 +45,7 @@ struct Matrix
 Matrix FormFactors(const Scene& scene)
 {
   const FacetSet facets = BuildFacets(scene);
-  const ElementTree tree(facets, scene.materials, ElementTree::Sides::FrontOnly);
+  const ElementTree tree(facets, scene.materials, Sides::FrontOnly);
   std::vector<NodeId> fronts;
   std::vector<std::uint32_t> polygon;
   std::vector<double> area(scene.PolygonCount());

@@ -1,6 +1,9 @@
 #include "SceneSummary.h"
 
+#include "core/mesh/DarkSides.h"
 #include "io/TextLines.h"
+
+#include <algorithm>
 
 #include <map>
 #include <sstream>
@@ -76,13 +79,16 @@ std::vector<std::string> SceneWarnings(const Scene& scene, const FacetSet& facet
 
 std::string DescribeScene(const Scene& scene, const FacetSet& facets)
 {
+  const std::vector<bool> isDark = DarkSides(facets, EdgesOf(facets.facets), scene.materials);
   std::ostringstream text;
   text << "vertices     " << scene.vertices.size() << "\npolygons     " << scene.PolygonCount()
        << "\nfacets       " << facets.facets.size() << " after cleaning ("
        << facets.report.concavePolygons << " concave and " << facets.report.largePolygons
        << " large polygons triangulated, " << facets.report.mergedFacets
-       << " merged back to back)\nmaterials    " << scene.materials.size() << "\nbounding box "
-       << Print(facets.low) << " to " << Print(facets.high) << '\n';
+       << " merged back to back)\ndark sides   " << std::count(isDark.begin(), isDark.end(), true)
+       << " inside closed bodies without a lamp: they take no part\nmaterials    "
+       << scene.materials.size() << "\nbounding box " << Print(facets.low) << " to "
+       << Print(facets.high) << '\n';
   for (const auto& [id, emitter] : EmittersOf(scene, facets))
   {
     text << "emitter      " << scene.materials[id].name << ": " << emitter.polygons << " facets, "

@@ -46,7 +46,7 @@ std::unique_ptr<Engine> MakeEngine(const SolverSettings& settings, const Scene& 
   const FacetSet& facets, const OccluderScene& occluders)
 {
   settings.Validate();
-  ElementTree tree(facets, scene.materials);
+  ElementTree tree(facets, scene.materials, Sides::Lit);
   std::vector<PatchOptics> optics = MakeOptics(facets, scene.materials);
   if (settings.method == Method::GoalOriented)
   {
@@ -154,6 +154,21 @@ struct Solver::Implementation
     }
   }
 
+  /// Not when a lamp is switched on inside a closed body.
+  bool KnowsAllThatIsLit(const std::vector<Material>& materials) const
+  {
+    if (std::none_of(materials.begin(), materials.end(),
+          [](const Material& material) { return MaxChannel(material.emission) > 0.0; }))
+    {
+      return true; // ActivePatches() leaves nothing out then
+    }
+    const std::vector<bool> isLit =
+      ActivePatches(this->facets, EdgesOf(this->facets.facets), materials, Sides::Lit);
+    const std::vector<Patch>& known = this->engine->Tree().Patches();
+    return std::equal(isLit.begin(), isLit.end(), known.begin(),
+      [](bool lit, const Patch& patch) { return !lit || patch.IsActive(); });
+  }
+
   /// Materials have changed, or nothing has been asked of them yet.
   void RequireSolvableOnce()
   {
@@ -200,20 +215,25 @@ void Solver::SetCamera(const Camera& camera)
   s.engine->SetView(std::move(samples));
 }
 
+bool Solver::CanTake(const std::vector<Material>& materials) const
+{
+  const Implementation& s = *this->Impl;
+  const std::vector<Material>& known = s.scene.materials;
+  return std::equal(known.begin(), known.end(), materials.begin(), materials.end(),
+           [](const Material& a, const Material& b) { return a.twoSided == b.twoSided; }) &&
+         s.KnowsAllThatIsLit(materials);
+}
+
 void Solver::SetMaterials(const std::vector<Material>& materials)
 {
   Implementation& s = *this->Impl;
   Scene changed = s.scene;
   changed.materials = materials;
   changed.Validate();
-  for (std::size_t m = 0; m < s.scene.materials.size(); ++m)
+  if (!this->CanTake(materials))
   {
-    if (materials.size() != s.scene.materials.size() ||
-        materials[m].twoSided != s.scene.materials[m].twoSided)
-    {
-      throw InputError("materials: their number and sidedness belong to the geometry; make a new "
-                       "solver to change them");
-    }
+    throw InputError("materials: their number, their sidedness and which closed bodies have no "
+                     "lamp inside belong to the geometry; make a new solver to change them");
   }
   s.scene = std::move(changed);
   s.engine->SetOptics(MakeOptics(s.facets, s.scene.materials));

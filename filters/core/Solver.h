@@ -99,9 +99,12 @@ public:
   /// anew. \throw InputError for a bad camera.
   void SetCamera(const Camera& camera);
 
-  /// Other albedos and emissions for the same polygons (as many materials, sidedness unchanged).
-  /// Geometry and interactions are kept; radiance and importance start anew.
-  /// \throw InputError for bad materials.
+  /// Whether SetMaterials() can: there are as many of them, as sided as before, and none of them
+  /// makes a lamp of what is inside a closed body that was dark (mesh/DarkSides.h).
+  bool CanTake(const std::vector<Material>& materials) const;
+  /// Other albedos and emissions for the same polygons. Geometry and interactions are kept;
+  /// radiance and importance start anew. \throw InputError for bad materials, and those it cannot
+  /// take.
   void SetMaterials(const std::vector<Material>& materials);
 
   /// Observer of Run(): called after each step; returns false to stop there.

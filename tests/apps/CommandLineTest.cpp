@@ -204,6 +204,17 @@ TEST(CommandLine, InfoTellsTheSameOfBothFormats)
   }
 }
 
+TEST(CommandLine, InfoTellsWhatIsInsideClosedBodies)
+{
+  const TemporaryFolder folder;
+  folder.Write("s.mtl", "newmtl body\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n");
+  folder.Write("s.obj",
+    "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nusemtl body\n"
+    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nusemtl lamp\nf 5 6 7\n");
+  const RunResult run = RunVantage(folder, "info s.obj");
+  EXPECT_NE(run.output.find("dark sides   4 inside"), std::string::npos) << run.output;
+}
+
 TEST(CommandLine, InfoWarnsOfWhatIsMissing)
 {
   const TemporaryFolder folder;

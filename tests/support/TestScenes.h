@@ -3,6 +3,7 @@
 #include "core/scene/Scene.h"
 
 #include <array>
+#include <cmath>
 
 /// \file TestScenes.h
 /// Small scenes that several tests share.
@@ -28,6 +29,35 @@ inline void AddBox(Scene& scene, const Vec3& low, const Vec3& high, bool facesIn
       points.push_back(corner(Faces[f][facesInwards ? k : 3 - k]));
     }
     scene.AddPolygon(points, materials[f]);
+  }
+}
+
+/// A ball of triangles, fronts outwards: as many rings of them from pole to pole, twice as many
+/// around.
+inline void AddBall(
+  Scene& scene, const Vec3& centre, double radius, int rings, std::uint32_t material)
+{
+  const auto at = [&](int ring, int column)
+  {
+    const double polar = Pi * ring / rings;
+    const double around = Pi * (column % (2 * rings)) / rings;
+    const double sine = ring == rings ? 0.0 : std::sin(polar);
+    return centre +
+           radius * Vec3(sine * std::cos(around), sine * std::sin(around), std::cos(polar));
+  };
+  for (int r = 0; r < rings; ++r)
+  {
+    for (int c = 0; c < 2 * rings; ++c)
+    {
+      if (r > 0)
+      {
+        scene.AddPolygon({ at(r, c), at(r + 1, c), at(r, c + 1) }, material);
+      }
+      if (r + 1 < rings)
+      {
+        scene.AddPolygon({ at(r + 1, c), at(r + 1, c + 1), at(r, c + 1) }, material);
+      }
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "SolverSession.h"
 
 #include "TestScenes.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -205,6 +206,20 @@ TEST(SolverSession, AnyOtherChangeStartsAnew)
         EXPECT_TRUE(solver.Interactions().empty());
       });
   }
+}
+
+TEST(SolverSession, ALampInsideAClosedBodyStartsAnew)
+{
+  SolverSession session;
+  Question question;
+  Scene& scene = question.scene;
+  scene.materials.resize(5);
+  test::AddBox(scene, Vec3(0.5), Vec3(0.8), false, { 3, 3, 3, 3, 3, 3 });
+  test::AddBox(scene, Vec3(0.6), Vec3(0.7), false, { 4, 4, 4, 4, 4, 4 });
+  const std::size_t before = Ask(session, question).Elements().radiance.size();
+  scene.materials[4].emission = Color(1.0);
+  EXPECT_GT(Ask(session, question).Elements().radiance.size(), before);
+  EXPECT_EQ(session.StepsDone(), Enough);
 }
 
 TEST(SolverSession, AChangedViewGetsItsOwnSteps)

@@ -32,6 +32,17 @@ public:
     }
   }
 
+  /// Touching is enough.
+  bool Meets(const Bounds& other) const
+  {
+    bool meets = true;
+    for (std::size_t i = 0; i < 6; ++i)
+    {
+      meets = meets && this->Least[i] <= -other.Least[(i + 3) % 6];
+    }
+    return meets;
+  }
+
   Vec3 Low() const { return { this->Least[0], this->Least[1], this->Least[2] }; }
   Vec3 High() const { return { -this->Least[3], -this->Least[4], -this->Least[5] }; }
   Vec3 Extent() const { return this->High() - this->Low(); }

@@ -143,8 +143,8 @@ bool HasFewCutSurfaces(const ClusterItem* first, const ClusterItem* last)
 class ClusterMaker
 {
 public:
-  ClusterMaker(
-    const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active);
+  ClusterMaker(const FacetSet& facets, const std::vector<FacetEdge>& edges,
+    const std::vector<Patch>& patches, const std::vector<bool>& isActive);
 
   /// Breadth first: a pair of children goes to the end.
   std::vector<Node> Make();
@@ -171,20 +171,23 @@ private:
   std::vector<NodeId> CutSurfaces; ///< nodes that hold patches of one surface, and no parent does
 };
 
-ClusterMaker::ClusterMaker(
-  const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active)
+ClusterMaker::ClusterMaker(const FacetSet& facets, const std::vector<FacetEdge>& edges,
+  const std::vector<Patch>& patches, const std::vector<bool>& isActive)
   : Facets(facets)
   , Patches(patches)
 {
-  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets);
-  this->Items.reserve(active.size());
-  for (const PatchId patch : active)
+  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets, edges);
+  this->Items.reserve(static_cast<std::size_t>(std::count(isActive.begin(), isActive.end(), true)));
+  for (PatchId patch = 0; patch < patches.size(); ++patch)
   {
-    this->Items.push_back({ SortingPoint(ShapeOfPatch(facets, patch), patches[patch].normal), patch,
-      2 * surfaces[patch / 2] + patch % 2 });
+    if (isActive[patch])
+    {
+      this->Items.push_back({ SortingPoint(ShapeOfPatch(facets, patch), patches[patch].normal),
+        patch, 2 * surfaces[patch / 2] + patch % 2 });
+    }
   }
   // Room for elements, so that the first of a large scene does not move all of it.
-  this->Nodes.reserve(2 * active.size() + active.size() / 2 + 1024);
+  this->Nodes.reserve(2 * this->Items.size() + this->Items.size() / 2 + 1024);
 }
 
 std::vector<Node> ClusterMaker::Make()
@@ -300,10 +303,10 @@ void ClusterMaker::ShapeCutSurfaces()
 
 } // namespace
 
-std::vector<Node> MakeClusters(
-  const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<PatchId>& active)
+std::vector<Node> MakeClusters(const FacetSet& facets, const std::vector<FacetEdge>& edges,
+  const std::vector<Patch>& patches, const std::vector<bool>& isActive)
 {
-  return ClusterMaker(facets, patches, active).Make();
+  return ClusterMaker(facets, edges, patches, isActive).Make();
 }
 
 } // namespace vantage

@@ -1,12 +1,9 @@
 #include "core/mesh/CutSurfaces.h"
 
 #include "core/mesh/DisjointSets.h"
-#include "core/mesh/Numbering.h"
-#include "core/mesh/PackedLists.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace vantage
 {
@@ -131,44 +128,6 @@ Polygon Shape(std::vector<Node>& nodes, NodeId id, const Vec3& normal, double to
   return hull;
 }
 
-/// A facet has this edge. Different edges are told apart by 64 bits of hash.
-struct EdgeUse
-{
-  std::uint64_t edge;
-  std::uint32_t facet;
-};
-
-std::uint64_t HashOf(const Vec3& corner)
-{
-  return HashOfPoint()(corner + Vec3(0.0)); // there is one zero only
-}
-
-/// Those of the same edge follow each other, in the order of the facets.
-std::vector<EdgeUse> EdgesOf(const std::vector<Facet>& facets)
-{
-  const auto forEachUse = [&facets](const auto& visit)
-  {
-    for (std::uint32_t f = 0; f < facets.size(); ++f)
-    {
-      const TriangleOrQuadrilateral& shape = facets[f].shape;
-      std::uint64_t before = HashOf(shape[shape.Size() - 1]);
-      for (const Vec3& corner : shape)
-      {
-        const std::uint64_t here = HashOf(corner);
-        visit(EdgeUse{ before + here, f });
-        before = here;
-      }
-    }
-  };
-  const std::size_t buckets = facets.size() / 16 + 1; // as many as the nearest memory has room for
-  return BucketSorted<EdgeUse>(
-    buckets, forEachUse,
-    [buckets](const EdgeUse& use)
-    { return static_cast<std::uint32_t>((use.edge >> 32) * buckets >> 32); },
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return std::tie(a.edge, a.facet) < std::tie(b.edge, b.facet); });
-}
-
 /// One looks like the other, on both sides, and lies in its plane.
 bool Continues(const Facet& a, const Facet& b, double tolerance)
 {
@@ -184,22 +143,19 @@ bool Continues(const Facet& a, const Facet& b, double tolerance)
 
 } // namespace
 
-std::vector<std::uint32_t> SurfacesOf(const FacetSet& set)
+std::vector<std::uint32_t> SurfacesOf(const FacetSet& set, const std::vector<FacetEdge>& edges)
 {
   const std::vector<Facet>& facets = set.facets;
   const double tolerance = set.Tolerance();
   DisjointSets surfaces(facets.size());
-  const std::vector<EdgeUse> edges = EdgesOf(facets);
-  for (auto first = edges.begin(); first != edges.end();)
-  {
-    const auto last =
-      std::find_if(first, edges.end(), [&](const EdgeUse& use) { return use.edge != first->edge; });
-    if (last - first == 2 && Continues(facets[first[0].facet], facets[first[1].facet], tolerance))
+  ForEachEdge(edges,
+    [&](const auto first, const auto last)
     {
-      surfaces.Join(first[0].facet, first[1].facet);
-    }
-    first = last;
-  }
+      if (last - first == 2 && Continues(facets[first[0].facet], facets[first[1].facet], tolerance))
+      {
+        surfaces.Join(first[0].facet, first[1].facet);
+      }
+    });
   std::vector<std::uint32_t> numbers(facets.size());
   std::uint32_t count = 0;
   for (std::uint32_t f = 0; f < facets.size(); ++f)

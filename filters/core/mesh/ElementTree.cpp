@@ -19,28 +19,10 @@ std::vector<Patch> MakePatches(const FacetSet& facets)
   for (PatchId id = 0; id < patches.size(); ++id)
   {
     patches[id].facet = id / 2;
-    patches[id].side = id % 2 == 0 ? Side::Front : Side::Back;
+    patches[id].side = SideOf(id);
     patches[id].normal = UnitNormal(ShapeOfPatch(facets, id));
   }
   return patches;
-}
-
-/// The patches that are to be active.
-std::vector<PatchId> ActivePatches(const FacetSet& facets, const std::vector<Material>& materials,
-  ElementTree::Sides sides, const std::vector<Patch>& patches)
-{
-  std::vector<PatchId> active;
-  active.reserve(patches.size());
-  for (PatchId id = 0; id < patches.size(); ++id)
-  {
-    const Facet& facet = facets.facets[patches[id].facet];
-    if (facet.IsPolygonFront(patches[id].side) ||
-        (sides == ElementTree::Sides::Both && materials[facet.material].twoSided))
-    {
-      active.push_back(id);
-    }
-  }
-  return active;
 }
 
 std::array<Polygon, 4> QuarterTriangle(const Polygon& p)
@@ -121,9 +103,10 @@ ElementTree::ElementTree(
   : AllPatches(MakePatches(facets))
 {
   assert(!facets.facets.empty());
-  const std::vector<PatchId> active = ActivePatches(facets, materials, sides, this->AllPatches);
-  this->Nodes = MakeClusters(facets, this->AllPatches, active);
-  this->LeafElements = active.size();
+  const std::vector<FacetEdge> edges = EdgesOf(facets.facets);
+  const std::vector<bool> isActive = ActivePatches(facets, edges, materials, sides);
+  this->Nodes = MakeClusters(facets, edges, this->AllPatches, isActive);
+  this->LeafElements = static_cast<std::size_t>(std::count(isActive.begin(), isActive.end(), true));
   for (NodeId id = 0; id < this->Nodes.size(); ++id)
   {
     if (!this->Nodes[id].IsCluster())

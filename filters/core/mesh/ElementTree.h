@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/ActivePatches.h"
 #include "core/mesh/Facets.h"
 
 #include <array>
@@ -23,14 +24,18 @@ struct Patch
   std::uint32_t facet = None;
   Side side = Side::Front;
 
-  /// False for the back of a one-sided material and, in a front-only tree, for every side that is
-  /// not the front of a scene polygon: such a patch has no node.
+  /// False for a side that exchanges no light (ActivePatches.h): such a patch has no node.
   bool IsActive() const { return this->node != None; }
 };
 
 inline PatchId PatchOf(std::uint32_t facet, Side side)
 {
   return 2 * facet + static_cast<std::uint32_t>(side);
+}
+
+inline Side SideOf(PatchId patch)
+{
+  return static_cast<Side>(patch % 2);
 }
 
 /// A cluster (patch = None), a patch (level 0) or an element of a patch (level > 0). Some clusters
@@ -64,16 +69,10 @@ struct Node
 class ElementTree
 {
 public:
-  enum class Sides
-  {
-    Both,
-    FrontOnly
-  };
-
   /// Binary clusters over the active patches; a single patch is the root itself. They are split by
   /// centroid and by normal: a patch is sorted by a point of the air in front of it, so that the
   /// two sides of a wall part early and the walls of a room stay together. O(n log n). `materials`
-  /// tells which facets are one-sided. \pre there is a facet
+  /// tells which facets are one-sided, and where lamps are. \pre there is a facet
   ElementTree(
     const FacetSet& facets, const std::vector<Material>& materials, Sides sides = Sides::Both);
 

@@ -34,17 +34,16 @@ auto KeyOf(const Camera& camera)
   return std::tie(eye, lookAt, up, fieldOfView, aspect);
 }
 
-/// Light and reflection; whether the back is active belongs to the geometry.
-auto RadiometryOf(const Material& material)
+auto KeyOf(const Material& material)
 {
   const auto& [name, albedo, emission, specular, shininess, twoSided] = material;
-  return std::tie(albedo, emission, specular, shininess);
+  return std::tie(albedo, emission, specular, shininess, twoSided);
 }
 
-bool HaveEqualRadiometry(const std::vector<Material>& a, const std::vector<Material>& b)
+bool HaveEqualMaterials(const Scene& a, const Scene& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const Material& x, const Material& y) { return RadiometryOf(x) == RadiometryOf(y); });
+  return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+    [](const Material& x, const Material& y) { return KeyOf(x) == KeyOf(y); });
 }
 
 bool HaveEqualGeometry(const Scene& a, const Scene& b)
@@ -54,9 +53,7 @@ bool HaveEqualGeometry(const Scene& a, const Scene& b)
     const auto& [vertices, indices, offsets, materialOfPolygon, materials, cameras] = scene;
     return std::tie(vertices, indices, offsets, materialOfPolygon);
   };
-  return keyOf(a) == keyOf(b) &&
-         std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
-           [](const Material& x, const Material& y) { return x.twoSided == y.twoSided; });
+  return keyOf(a) == keyOf(b);
 }
 
 std::uint64_t StepsOf(const Solver& solver)
@@ -72,9 +69,10 @@ Solver& SolverSession::Prepare(
   scene.Validate();
   settings.Validate();
   camera.Validate();
+  const bool isRelit = !HaveEqualMaterials(scene, this->SceneKey);
   const bool isSame = this->Kept && KeyOf(settings) == KeyOf(this->SettingsKey) &&
-                      HaveEqualGeometry(scene, this->SceneKey);
-  const bool isRelit = !isSame || !HaveEqualRadiometry(scene.materials, this->SceneKey.materials);
+                      HaveEqualGeometry(scene, this->SceneKey) &&
+                      (!isRelit || this->Kept->CanTake(scene.materials));
   const bool isMoved = !isSame || KeyOf(camera) != KeyOf(this->CameraKey);
   this->Changed = isRelit || isMoved;
   const bool isBackwards = !this->Changed && this->StepsDone() > steps;

@@ -17,7 +17,8 @@ namespace vantage
 /// - nothing, or more steps asked for: the solver continues
 /// - the camera: Solver::SetCamera, interactions stay
 /// - albedo, emission or lobe of materials: Solver::SetMaterials, interactions stay
-/// - vertices, polygons, which polygons share a material, sidedness: a new solver
+/// - vertices, polygons, which polygons share a material, sidedness, a lamp inside a closed body:
+///   a new solver
 /// - any setting: a new solver
 /// - fewer steps asked for than were done: a new solver
 ///

@@ -35,7 +35,8 @@ struct ElementSolution;
 /// The view: a vtkCamera (SetCamera), else the camera of the input that CameraName names, else
 /// EyePosition, FocalPoint, ViewUp and ViewAngle. A vtkCamera has no aspect ratio: Aspect gives it.
 ///
-/// Output port 0, vtkPolyData: the elements. Doubles unless said otherwise.
+/// Output port 0, vtkPolyData: the elements. Doubles unless said otherwise. The back of a one-sided
+/// polygon has none, nor has the inside of a closed body without a lamp: no light gets there.
 ///
 /// | cell array       | components | unit         | content                                      |
 /// |------------------|------------|--------------|----------------------------------------------|

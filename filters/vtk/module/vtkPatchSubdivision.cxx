@@ -112,7 +112,7 @@ int vtkPatchSubdivision::RequestData(
     const vantage::FacetSet facets = vantage::BuildFacets(scene);
     this->WarnOfDroppedPolygons(static_cast<vtkIdType>(facets.report.degeneratePolygons),
       static_cast<vtkIdType>(facets.report.duplicateFacets));
-    vantage::ElementTree tree(facets, scene.materials, vantage::ElementTree::Sides::FrontOnly);
+    vantage::ElementTree tree(facets, scene.materials, vantage::Sides::FrontOnly);
     CheckPatchCount(tree, this->MaximumEdgeLength);
     SplitLongPatches(tree, this->MaximumEdgeLength);
     const vantage::ElementSurface surface = vantage::PatchMesh(tree, facets).Surface();

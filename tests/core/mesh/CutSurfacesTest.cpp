@@ -17,7 +17,8 @@ using test::Named;
 
 std::size_t SurfaceCount(const Scene& scene)
 {
-  const std::vector<std::uint32_t> surfaces = SurfacesOf(BuildFacets(scene));
+  const FacetSet facets = BuildFacets(scene);
+  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets, EdgesOf(facets.facets));
   return std::set<std::uint32_t>(surfaces.begin(), surfaces.end()).size();
 }
 
@@ -160,7 +161,7 @@ TEST(CutSurfaces, AHoleOrAnLLeavesClustersAboveTheirRectangles)
       AddQuad(scene, { x, y, 0 }, { 1, 0, 0 }, { 0, 1, 0 });
     }
   }
-  const ElementTree tree(BuildFacets(scene), scene.materials, ElementTree::Sides::FrontOnly);
+  const ElementTree tree(BuildFacets(scene), scene.materials, Sides::FrontOnly);
   EXPECT_FALSE(tree[tree.Root()].HasShape());
   const FlatCount count = CountWithinSurfaces(tree);
   EXPECT_GT(count.flat, 40); // of 54 clusters

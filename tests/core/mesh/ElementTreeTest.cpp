@@ -25,7 +25,7 @@ Scene Scattered(std::uint64_t seed, int count)
   return scene;
 }
 
-ElementTree TreeOf(const Scene& scene, ElementTree::Sides sides = ElementTree::Sides::Both)
+ElementTree TreeOf(const Scene& scene, Sides sides = Sides::Both)
 {
   return ElementTree(BuildFacets(scene), scene.materials, sides);
 }
@@ -108,7 +108,7 @@ TEST(ElementTree, EveryActivePatchHangsInItOnce)
 {
   const Scene scene = Scattered(3, 200);
   const FacetSet facets = BuildFacets(scene);
-  for (const auto sides : { ElementTree::Sides::Both, ElementTree::Sides::FrontOnly })
+  for (const auto sides : { Sides::Both, Sides::FrontOnly })
   {
     const ElementTree tree(facets, scene.materials, sides);
     ASSERT_EQ(tree.Patches().size(), 2 * facets.facets.size());
@@ -122,7 +122,7 @@ TEST(ElementTree, EveryActivePatchHangsInItOnce)
       EXPECT_EQ(patch.side, isFront ? Side::Front : Side::Back);
       EXPECT_EQ(patch.normal, UnitNormal(isFront ? facet.shape : Reversed(facet.shape)));
       ASSERT_EQ(patch.IsActive(),
-        isFront || (sides == ElementTree::Sides::Both && scene.materials[facet.material].twoSided));
+        isFront || (sides == Sides::Both && scene.materials[facet.material].twoSided));
       if (patch.IsActive())
       {
         ++active;
@@ -152,8 +152,8 @@ TEST(ElementTree, BackToBackPolygonsAreBothActiveEvenIfOneSided)
   scene.materials.push_back(Named("one-sided", false));
   AddQuad(scene, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 });
   AddQuad(scene, { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 });
-  EXPECT_EQ(TreeOf(scene, ElementTree::Sides::Both).LeafElementCount(), 2u);
-  EXPECT_EQ(TreeOf(scene, ElementTree::Sides::FrontOnly).LeafElementCount(), 2u);
+  EXPECT_EQ(TreeOf(scene, Sides::Both).LeafElementCount(), 2u);
+  EXPECT_EQ(TreeOf(scene, Sides::FrontOnly).LeafElementCount(), 2u);
 }
 
 int Depth(const ElementTree& tree)

@@ -169,6 +169,50 @@ TEST_P(MaterialSession, NewMaterialsKeepInteractions)
   }
 }
 
+/// A closed body has no light inside: that its material has two sides changes nothing, to the bit.
+TEST(Session, InsidesOfClosedBodiesTakeNoPart)
+{
+  for (const Method method : { Method::ImportanceShooting, Method::GoalOriented })
+  {
+    ElementSolution ofOneSided;
+    for (const bool twoSided : { false, true })
+    {
+      Scene scene = test::MakeLitBox();
+      scene.materials[4].twoSided = twoSided; // of the block
+      Solver solver = MakeSolver(scene, method);
+      solver.SetCamera(scene.cameras[0]);
+      solver.Run(Steps(5));
+      const ElementSolution elements = solver.Elements();
+      if (twoSided)
+      {
+        EXPECT_EQ(elements.radiance, ofOneSided.radiance);
+      }
+      ofOneSided = elements;
+    }
+  }
+}
+
+TEST(Session, ALampInsideAClosedBodyNeedsANewSolver)
+{
+  Scene scene = test::MakeLitBox();
+  scene.materials.push_back(test::MakeMaterial(Color(0.5)));
+  scene.materials[4].twoSided = true;
+  test::AddBox(
+    scene, Vec3(0.6, 0.6, 0.1), Vec3(0.7, 0.7, 0.2), false, { 5, 5, 5, 5, 5, 5 }); // in the block
+  Solver solver = MakeSolver(scene, Method::GoalOriented);
+  std::vector<Material> dimmed = scene.materials;
+  dimmed[3].emission = Color(0.0);
+  EXPECT_TRUE(solver.CanTake(dimmed));
+  solver.SetMaterials(dimmed);
+  dimmed[0].emission = Color(1.0); // the walls of the room
+  EXPECT_TRUE(solver.CanTake(dimmed));
+  std::vector<Material> lit = scene.materials;
+  lit[5].emission = Color(1.0);
+  EXPECT_FALSE(solver.CanTake(lit));
+  EXPECT_THROW(solver.SetMaterials(lit), InputError);
+  EXPECT_TRUE(Solver(Scene(scene)).CanTake(scene.materials));
+}
+
 TEST(Session, ShootingNeedsACameraOnlyForImportance)
 {
   const Scene scene = test::MakeLitBox();
