@@ -276,6 +276,7 @@ std::optional<double> LampCutter::SeenPast(Shadows& shadows, const Vec2& x) cons
       }
       if (effort > MostEffort)
       {
+        shadows.TooMany = true;
         return std::nullopt;
       }
     }

@@ -119,12 +119,15 @@ class LampCutter::Shadows
 public:
   /// Whether the last call of Seen() had to cut.
   bool Any() const { return !this->All.empty(); }
+  /// Whether it has found nothing: nor will it, most likely, at the next point.
+  bool AreTooMany() const { return this->TooMany; }
 
 private:
   friend class LampCutter;
   std::vector<Shadow> All;
   std::vector<Flat> Parts; ///< that are left of the lamp
   std::vector<Flat> Rest;  ///< of these, past one more shadow
+  bool TooMany = false;
 };
 
 } // namespace vantage

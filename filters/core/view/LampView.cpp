@@ -296,7 +296,8 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
   {
     return 0.0;
   }
-  const auto seen = search.cutter.Seen(local, group.occluders, shadows);
+  const auto seen =
+    shadows.AreTooMany() ? std::nullopt : search.cutter.Seen(local, group.occluders, shadows);
   const double factor = seen ? *seen : this->SeenByRays(place, counters);
   counters.lampEvaluations += factor > 0.0 ? 1 : 0;
   counters.cutEvaluations += shadows.Any() ? 1 : 0;

@@ -2,12 +2,14 @@
 
 #include "core/math/Box.h"
 #include "core/mesh/DisjointSets.h"
+#include "core/mesh/Numbering.h"
 #include "core/view/PatchFrame.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace vantage
 {
@@ -21,6 +23,10 @@ constexpr double SamePlane = 1e-6;
 constexpr double Standing = 1e-3;
 /// A plane has this many cells at least, if it has so many spots.
 constexpr std::size_t LeastCells = 8;
+/// Cosines of the angles that planes of one curved surface make with a neighbour (15 degrees), and
+/// with the one that the others are seen from (30 degrees).
+constexpr double SmoothEdge = 0.966;
+constexpr double SmoothSurface = 0.866;
 
 struct SpotPatch
 {
@@ -89,6 +95,89 @@ std::vector<std::uint32_t> JoinPlanes(
   return first;
 }
 
+/// Pairs of patches that have an edge in common.
+std::vector<std::array<std::uint32_t, 2>> NeighboursAmong(const std::vector<SpotPatch>& patches)
+{
+  struct Edge
+  {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t patch;
+  };
+  std::vector<Edge> edges;
+  Numbering<Vec3, HashOfPoint> corners(4 * patches.size());
+  for (std::uint32_t i = 0; i < patches.size(); ++i)
+  {
+    const Polygon& shape = patches[i].shape;
+    std::uint32_t last = corners.Of(shape[shape.Size() - 1] + Vec3(0.0));
+    for (const Vec3& corner : shape)
+    {
+      const std::uint32_t here = corners.Of(corner + Vec3(0.0)); // there is one zero only
+      edges.push_back({ { std::min(last, here), std::max(last, here) }, i });
+      last = here;
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b)
+    { return std::tie(a.ends, a.patch) < std::tie(b.ends, b.patch); });
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::size_t k = 1; k < edges.size(); ++k)
+  {
+    if (edges[k].ends == edges[k - 1].ends)
+    {
+      pairs.push_back({ edges[k - 1].patch, edges[k].patch });
+    }
+  }
+  return pairs;
+}
+
+/// Joins planes with few spots that follow each other smoothly, as the triangles of a ball do: what
+/// falls onto them varies as it does on the ball. For each patch the first one of its plane, or of
+/// the plane that those around it are seen from.
+std::vector<std::uint32_t> JoinSmoothly(const std::vector<SpotPatch>& patches,
+  const std::vector<std::uint32_t>& planeOf, const std::vector<bool>& hasFewSpots)
+{
+  std::vector<std::vector<std::uint32_t>> neighbours(patches.size());
+  const auto cosine = [&](std::uint32_t a, std::uint32_t b)
+  { return glm::dot(patches[a].plane.normal, patches[b].plane.normal); };
+  for (const auto& [first, second] : NeighboursAmong(patches))
+  {
+    const std::uint32_t a = planeOf[first];
+    const std::uint32_t b = planeOf[second];
+    if (a != b && hasFewSpots[a] && hasFewSpots[b] && cosine(a, b) > SmoothEdge)
+    {
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+  }
+  std::vector<std::uint32_t> surfaceOf(patches.size(), None);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t seed = 0; seed < patches.size(); ++seed)
+  {
+    if (planeOf[seed] != seed || surfaceOf[seed] != None)
+    {
+      continue;
+    }
+    surfaceOf[seed] = seed;
+    open.assign(1, seed);
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      for (const std::uint32_t next : neighbours[open[k]])
+      {
+        if (surfaceOf[next] == None && cosine(seed, next) > SmoothSurface)
+        {
+          surfaceOf[next] = seed;
+          open.push_back(next);
+        }
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < patches.size(); ++i)
+  {
+    surfaceOf[i] = surfaceOf[planeOf[i]];
+  }
+  return surfaceOf;
+}
+
 /// Where facets stand on the plane z = 0 of the frame, near the box.
 std::vector<Foot> FeetIn(
   const OccluderScene& occluders, const PatchFrame& frame, const Vec3& low, const Vec3& high)
@@ -133,6 +222,49 @@ std::vector<Foot> FeetIn(
   return feet;
 }
 
+/// Of the patch of each spot, the place among the patches.
+std::vector<std::uint32_t> PlacesOf(
+  const std::vector<IndirectSpot>& spots, const std::vector<SpotPatch>& patches)
+{
+  std::vector<std::uint32_t> places;
+  places.reserve(spots.size());
+  auto patch = patches.begin();
+  for (const IndirectSpot& spot : spots)
+  {
+    if (patch->patch != spot.patch)
+    {
+      patch = std::lower_bound(patches.begin(), patches.end(), spot.patch,
+        [](const SpotPatch& a, PatchId id) { return a.patch < id; });
+    }
+    places.push_back(static_cast<std::uint32_t>(patch - patches.begin()));
+  }
+  return places;
+}
+
+/// Of each plane, whether a cell would do for it.
+std::vector<bool> HaveFewSpots(const std::vector<std::uint32_t>& patchOfSpot,
+  const std::vector<std::uint32_t>& planeOf, std::size_t mostSpots)
+{
+  std::vector<std::size_t> counts(planeOf.size(), 0);
+  for (const std::uint32_t patch : patchOfSpot)
+  {
+    ++counts[planeOf[patch]];
+  }
+  std::vector<bool> few;
+  for (const std::size_t count : counts)
+  {
+    few.push_back(count <= mostSpots);
+  }
+  return few;
+}
+
+/// The spots of a surface.
+struct Plot
+{
+  std::vector<SurfaceSpot> spots;
+  Vec3 low, high;
+};
+
 } // namespace
 
 std::vector<IndirectSurface> SurfacesOf(
@@ -140,31 +272,25 @@ std::vector<IndirectSurface> SurfacesOf(
 {
   const std::vector<SpotPatch> patches = PatchesOf(occluders, spots);
   const std::vector<std::uint32_t> planeOf = JoinPlanes(occluders, patches);
+  const std::vector<std::uint32_t> patchOf = PlacesOf(spots, patches);
+  const std::vector<std::uint32_t> surfaceOf =
+    JoinSmoothly(patches, planeOf, HaveFewSpots(patchOf, planeOf, mostSpots));
   std::vector<PatchFrame> frames;
   for (const SpotPatch& patch : patches)
   {
     frames.emplace_back(patch.shape);
   }
-  struct Plot
-  {
-    std::vector<SurfaceSpot> spots;
-    Vec3 low, high;
-  };
   std::vector<Plot> plots(patches.size());
-  auto patch = patches.begin();
+  std::vector<bool> isCurved(patches.size(), false);
   for (std::uint32_t i = 0; i < spots.size(); ++i)
   {
-    if (patch->patch != spots[i].patch)
-    {
-      patch = std::lower_bound(patches.begin(), patches.end(), spots[i].patch,
-        [](const SpotPatch& a, PatchId id) { return a.patch < id; });
-    }
-    const std::uint32_t plane = planeOf[patch - patches.begin()];
-    Plot& plot = plots[plane];
+    const std::uint32_t surface = surfaceOf[patchOf[i]];
+    isCurved[surface] = isCurved[surface] || planeOf[patchOf[i]] != surface;
+    Plot& plot = plots[surface];
     const Vec3& point = spots[i].point;
     plot.low = plot.spots.empty() ? point : glm::min(plot.low, point);
     plot.high = plot.spots.empty() ? point : glm::max(plot.high, point);
-    plot.spots.push_back({ frames[plane].InPlane(point), spots[i].weight, i });
+    plot.spots.push_back({ frames[surface].InPlane(point), spots[i].weight, i });
   }
   std::vector<IndirectSurface> surfaces;
   for (std::uint32_t p = 0; p < plots.size(); ++p)
@@ -173,8 +299,10 @@ std::vector<IndirectSurface> SurfacesOf(
     {
       const std::size_t most =
         std::min(mostSpots, std::max<std::size_t>(1, plots[p].spots.size() / LeastCells));
-      surfaces.emplace_back(
-        std::move(plots[p].spots), FeetIn(occluders, frames[p], plots[p].low, plots[p].high), most);
+      surfaces.emplace_back(std::move(plots[p].spots),
+        isCurved[p] ? std::vector<Foot>()
+                    : FeetIn(occluders, frames[p], plots[p].low, plots[p].high),
+        most);
     }
   }
   return surfaces;

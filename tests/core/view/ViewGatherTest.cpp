@@ -6,6 +6,7 @@
 #include "core/view/HemisphereGather.h"
 #include "core/view/SecondLook.h"
 #include "core/view/SurfaceGather.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -53,10 +54,10 @@ Camera RoomCamera()
   return CameraAt({ 3.7, 2.6, 1.8 }, { 0.8, 0.9, 0.6 }, 60.0);
 }
 
-/// The room, solved coarsely: what is known of it is exact for the gather's purposes.
-GatherStage SolvedRoom()
+/// Solved coarsely: what is known is exact for the gather's purposes.
+GatherStage Solved(const Scene& scene)
 {
-  GatherStage stage(MakeFurnishedRoom(), [](PatchId) { return Color(0.0); });
+  GatherStage stage(scene, [](PatchId) { return Color(0.0); });
   TransportSettings settings;
   settings.refinement.powerTolerance = 1e-3;
   settings.refinement.shadowTolerance = 1e-3;
@@ -160,7 +161,7 @@ double BiasOf(const GatherStage& stage, GatherSettings settings, const Image& ex
 TEST(ViewGather, IndirectLightIsWithinThePromisedError)
 {
   constexpr int Size = 64;
-  const GatherStage stage = SolvedRoom();
+  const GatherStage stage = Solved(MakeFurnishedRoom());
   const Image exact = BruteForce(stage, RoomCamera(), Size);
   std::uint64_t rays = 0;
   for (const double error : { 0.03, 0.01, 0.004 })
@@ -179,9 +180,34 @@ TEST(ViewGather, IndirectLightIsWithinThePromisedError)
   }
 }
 
+/// A ball of 2,200 triangles: each by itself would take as many points as it has pixels.
+TEST(ViewGather, FacetsOfACurvedSurfaceAreGatheredTogether)
+{
+  constexpr int Size = 64;
+  Scene scene;
+  const std::uint32_t white = AddMaterial(scene, Color(0.5), Color(0.0), false);
+  const std::uint32_t red = AddMaterial(scene, Color(0.7, 0.2, 0.1), Color(0.0), false);
+  const std::uint32_t lamp = AddMaterial(scene, Color(0.5), Color(9.0), false);
+  AddRoom(scene, { 0, 0, 0 }, { 2, 2, 2 }, red);
+  test::AddBall(scene, { 1.0, 1.0, 0.8 }, 0.6, 24, white);
+  scene.AddPolygon(
+    { { 0.5, 0.5, 1.9 }, { 0.5, 1.0, 1.9 }, { 1.0, 1.0, 1.9 }, { 1.0, 0.5, 1.9 } }, lamp);
+  const GatherStage stage = Solved(scene);
+  const Camera camera = CameraAt({ 0.2, 0.3, 1.5 }, { 1.0, 1.0, 0.8 }, 60.0);
+  const Image exact = BruteForce(stage, camera, Size);
+  for (const double error : { 0.03, 0.01 })
+  {
+    const GatheredView view = stage.Gather(camera, Pixels(Size, Size, true, error));
+    const double truth = Compare(view.radiance, exact).relativeL1;
+    EXPECT_LT(truth, error);
+    EXPECT_GT(view.report.errorEstimate, 0.5 * truth) << error; // as with each facet by itself
+    EXPECT_LT(view.report.gatherPoints, static_cast<std::uint64_t>(Size * Size / 10));
+  }
+}
+
 TEST(ViewGather, IsTheSameToTheBitForAnyNumberOfThreads)
 {
-  const GatherStage stage = SolvedRoom();
+  const GatherStage stage = Solved(MakeFurnishedRoom());
   std::vector<GatheredView> views;
   for (const std::size_t threads : { 1, 2, 4 })
   {
@@ -200,7 +226,7 @@ TEST(ViewGather, IsTheSameToTheBitForAnyNumberOfThreads)
 
 TEST(ViewGather, AnotherSeedGivesAnotherImageWithinTheError)
 {
-  const GatherStage stage = SolvedRoom();
+  const GatherStage stage = Solved(MakeFurnishedRoom());
   GatherSettings settings = Pixels(64, 64, true);
   const GatheredView one = stage.Gather(RoomCamera(), settings);
   settings.seed = 2;
@@ -212,7 +238,7 @@ TEST(ViewGather, AnotherSeedGivesAnotherImageWithinTheError)
 
 TEST(ViewGather, DepthAndPatchesAreThoseOfThePixelCentres)
 {
-  const GatherStage stage = SolvedRoom();
+  const GatherStage stage = Solved(MakeFurnishedRoom());
   for (const bool centres : { true, false })
   {
     const GatheredView view = stage.Gather(RoomCamera(), Pixels(32, 24, centres, 0.1));
