@@ -11,6 +11,8 @@ namespace
 
 /// Bounds of ScaleOfReceived().
 constexpr double LargestScale = 8.0;
+/// Of what a curved surface has received, over its bend.
+constexpr double SpreadOfBend = 0.5;
 
 /// At the leaves, sum over all links of d_i F_ik (d value)_k.
 template <typename T>
@@ -31,10 +33,11 @@ std::vector<T> Gathered(
 
 } // namespace
 
-double SpreadOfCluster(double source, double rmsOfSource, double received)
+double SpreadOfCluster(const Node& cluster, double source, double rmsOfSource, double received)
 {
   const double ofSource = std::sqrt(std::max(0.0, rmsOfSource * rmsOfSource - source * source));
-  return std::hypot(ofSource, received);
+  const double part = cluster.IsSmooth() ? SpreadOfBend * cluster.Bend() : 1.0;
+  return std::hypot(ofSource, part * received);
 }
 
 void Flow::Follow(const OpenTree& tree)
@@ -167,10 +170,10 @@ void Flow::FindSpreads(
     }
     if (node.IsLeaf())
     {
-      this->Spreads[id] =
-        node.IsCluster()
-          ? SpreadOfCluster(Mean(this->Sources[id]), this->SourceRms[id], Mean(this->Received(id)))
-          : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
+      this->Spreads[id] = node.IsCluster()
+                            ? SpreadOfCluster(tree.Geometry(id), Mean(this->Sources[id]),
+                                this->SourceRms[id], Mean(this->Received(id)))
+                            : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
     }
   }
   this->PullUpSpreads(tree, matrix);

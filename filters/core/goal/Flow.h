@@ -11,8 +11,10 @@ namespace vantage
 {
 
 /// Spread of a cluster that nobody looked into: what it received may have come to a part of it
-/// only, and not to where its sources are, of which the mean and the root mean square are known.
-double SpreadOfCluster(double source, double rmsOfSource, double received);
+/// only, and not to where its sources are, of which the mean and the root mean square are known. On
+/// a curved surface it varies as the normals do: by half of the bend, measured as
+/// UnevennessOfCurved() was (LinkEvaluator.cpp).
+double SpreadOfCluster(const Node& cluster, double source, double rmsOfSource, double received);
 
 /// Both obey the same equation, so this is written once. On every leaf i
 ///

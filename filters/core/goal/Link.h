@@ -21,7 +21,8 @@ struct Link
   /// How far the throughput itself may be off, m^2 sr: what a few rays cannot know.
   double uncertainty = 0.0;
   /// How far the throughput between parts of the ends is from what the mean says, m^2 sr: that the
-  /// kernel varies over the ends ...
+  /// kernel varies over the ends ... With a cluster at an end, it is 0, as nothing is known, unless
+  /// both are surfaces, if curved ones: then it tells of the visibility as well.
   double variation = 0.0;
   double shadowing = 0.0; ///< ... or their visibility
   /// Rays that found the same, all free or all hidden, down the chain of ancestors to here; 0 where
@@ -33,7 +34,7 @@ struct Link
 };
 
 /// Of links between surfaces only the shadows are uncertain; of those with a cluster at an end next
-/// to nothing is certain.
+/// to nothing is certain, unless it is part of a curved surface.
 enum LinkKind : std::size_t
 {
   BetweenSurfaces,

@@ -102,6 +102,7 @@ LinkErrors::Parts LinkErrors::PartsOf(
   Parts parts;
   const LinkKind kind = KindOf(tree, link);
   const double closed = this->Closed(link, kind);
+  const bool isCurved = kind == WithCluster && link.variation > 0.0;
   const double variation = closed * (link.variation + link.shadowing);
   const double uncertainty =
     closed * link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
@@ -113,18 +114,18 @@ LinkErrors::Parts LinkErrors::PartsOf(
     // come over two reflections or more: it is integrated where the gather looks up the rest.
     const double radiance =
       from.isCluster ? from.radiance : from.radiance - to.straight * from.emission;
+    const double unnamed = from.isCluster ? from.emission : 0.0;
+    // Lamps are to get their names, on curved surfaces as well.
+    const double missed = isCurved && unnamed == 0.0 ? variation : uncertainty;
     const double unknown =
-      uncertainty * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
+      missed * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
     if (kind == WithCluster)
     {
-      const double unnamed = from.isCluster ? from.emission : 0.0;
       parts.ofClusters +=
-        OfClusters * unknown + OfUnnamed * uncertainty * unnamed * to.sourceOfImportance;
+        OfClusters * unknown + OfUnnamed * missed * unnamed * to.sourceOfImportance;
+      continue;
     }
-    else
-    {
-      parts.random += OfSurfaces * unknown;
-    }
+    parts.random += OfSurfaces * unknown;
     parts.atReceiver[end] = variation * radiance * to.importanceSpread;
     parts.atShooter[1 - end] = variation * from.radianceSpread * to.importance;
   }
@@ -167,9 +168,11 @@ void LinkErrors::Follow(const OpenTree& tree, const Flow& radiance, const Flow& 
     node.sourceOfImportance = importance.RmsOfSource(id);
     if (node.isCluster)
     {
-      node.radianceSpread = SpreadOfCluster(node.emission, radiance.RmsOfSource(id), received);
-      node.importanceSpread =
-        SpreadOfCluster(Mean(importance.Source(id)), node.sourceOfImportance, node.importance);
+      const Node& cluster = tree.Geometry(id);
+      node.radianceSpread =
+        SpreadOfCluster(cluster, node.emission, radiance.RmsOfSource(id), received);
+      node.importanceSpread = SpreadOfCluster(
+        cluster, Mean(importance.Source(id)), node.sourceOfImportance, node.importance);
     }
     this->Nodes.push_back(node);
   }

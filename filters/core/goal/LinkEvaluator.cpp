@@ -35,6 +35,20 @@ double KernelVariation(const Node& a, const Node& b)
   return size < distance ? size / distance : 1.0;
 }
 
+/// How far the throughput between parts of curved surfaces is from the mean, over that: as kernel,
+/// normals and visibility vary. Measured with balls and rings of 700 to 12,000 triangles, asked
+/// errors of 10 to 1 %: the same true errors as with links between the triangles, a twelfth of the
+/// links. Twice as much of each costs twice the links.
+double UnevennessOfCurved(const Node& a, const Node& b, const Link& link)
+{
+  constexpr double OfKernel = 0.25;
+  constexpr double OfBends = 0.25;
+  constexpr double OfVisibility = 0.5;
+  const double f = link.visibility;
+  return std::min(1.0, (link.IsSelf() ? 0.0 : OfKernel * KernelVariation(a, b)) +
+                         OfBends * (a.Bend() + b.Bend()) + OfVisibility * std::sqrt(f * (1.0 - f)));
+}
+
 /// Of the visible fraction: one deviation of a sample, or what may be missed by rays that agree.
 double VisibilityError(const Link& link, std::uint32_t rays)
 {
@@ -208,11 +222,19 @@ EvaluatedLink LinkEvaluator::EvaluateClusters(const LinkRequest& request) const
     }
   }
   result.rays = facing;
-  const double bound = ThroughputBound(tree.Geometry(a), tree.Geometry(b));
+  const Node& one = tree.Geometry(a);
+  const Node& other = tree.Geometry(b);
+  // What bends little sees little of itself.
+  const double bound =
+    (link.IsSelf() ? one.Bend() * one.Bend() : 1.0) * ThroughputBound(one, other);
   link.throughput = std::min(sum / PointPairs, bound);
   link.visibility = facing > 0 ? static_cast<double>(open) / facing : 0.0;
   link.agreeingRays =
     open > 0 ? 0 : facing + (request.parentVisibility == 0.0 ? request.parentAgreeingRays : 0);
+  if (one.IsSmooth() && other.IsSmooth())
+  {
+    link.variation = UnevennessOfCurved(one, other, link) * link.throughput;
+  }
   // Within one cluster there are neighbours that see each other, however many rays did not.
   const bool isDoubted = open > 0 || link.IsSelf();
   link.uncertainty =

@@ -40,6 +40,7 @@ public:
   /// (PairVisibility.h), which is taken over from the parent after enough agreeing rays.
   /// Where a cluster takes part: the mean over pairs of points of both ends, drawn half by area and
   /// half by emitted power so that a small lamp is met, with a ray each where they face each other.
+  /// Link::variation is known where all clusters are parts of curved surfaces.
   EvaluatedLink Evaluate(const LinkRequest& request) const;
 
 private:

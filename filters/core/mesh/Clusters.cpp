@@ -1,6 +1,7 @@
 #include "core/mesh/Clusters.h"
 
 #include "core/mesh/Bounds.h"
+#include "core/mesh/CurvedSurfaces.h"
 #include "core/mesh/CutSurfaces.h"
 #include "core/mesh/Partition.h"
 
@@ -20,6 +21,9 @@ namespace
 constexpr std::ptrdiff_t MostSurfaces = 32;
 /// ... each cut into so many patches in the mean.
 constexpr std::ptrdiff_t LeastPatches = 4;
+
+/// Of InFront(), what tells the two sides of a closed surface apart, which has no mean normal.
+constexpr double Apart = 1e-3;
 
 /// How far in front of a surface the point is that it is sorted by. Two fifths of its size off, the
 /// two sides of a wall are further apart than the walls of a room, and none reaches the opposite
@@ -114,20 +118,24 @@ void SummariseClusters(std::vector<Node>& nodes)
 /// What the items of a range are sorted by.
 enum class Order
 {
-  Patches,      ///< a point in front of each patch
-  Surfaces,     ///< a point in front of all that belongs to the same surface
-  WithinSurface ///< the middle of each patch
+  Patches,        ///< a point in front of each patch
+  CurvedSurfaces, ///< a point in front of all that belongs to the same curved surface
+  WithinCurved,   ///< of which there is one only: a point in front of each patch
+  Surfaces,       ///< a point in front of all that belongs to the same flat surface
+  WithinSurface   ///< the middle of each patch
 };
 
+using SurfaceOfItem = std::uint32_t ClusterItem::*;
+
 /// Looks at no more items than it takes.
-bool HasFewCutSurfaces(const ClusterItem* first, const ClusterItem* last)
+bool HasFewCutSurfaces(const ClusterItem* first, const ClusterItem* last, SurfaceOfItem surface)
 {
   std::array<std::uint32_t, MostSurfaces> surfaces;
   const auto most = surfaces.begin() + std::min(MostSurfaces, (last - first) / LeastPatches);
   auto end = surfaces.begin();
   for (const ClusterItem* item = first; item != last; ++item)
   {
-    if (std::find(surfaces.begin(), end, item->surface) != end)
+    if (std::find(surfaces.begin(), end, item->*surface) != end)
     {
       continue;
     }
@@ -135,9 +143,15 @@ bool HasFewCutSurfaces(const ClusterItem* first, const ClusterItem* last)
     {
       return false;
     }
-    *end++ = item->surface;
+    *end++ = item->*surface;
   }
   return true;
+}
+
+bool IsOneSurface(const ClusterItem* first, const ClusterItem* last, SurfaceOfItem surface)
+{
+  return std::all_of(
+    first, last, [&](const ClusterItem& item) { return item.*surface == first->*surface; });
 }
 
 class ClusterMaker
@@ -156,15 +170,22 @@ private:
     Order order;
   };
 
+  /// What a patch is sorted by to start with.
+  Vec3 KeyOf(PatchId patch) const
+  {
+    return SortingPoint(ShapeOfPatch(this->Facets, patch), this->Patches[patch].normal);
+  }
   /// Sorts by something else where it is time to.
   void Reorder(Range& range);
-  void SortBySurface(const Range& range) const;
+  void SortByPatch(const Range& range) const;
+  void SortBySurface(const Range& range, SurfaceOfItem surface) const;
   void SortWithinSurface(const Range& range) const;
   void Append(const ClusterRange& range, NodeId parent, Order order);
   void ShapeCutSurfaces();
 
   const FacetSet& Facets;
   const std::vector<Patch>& Patches;
+  std::vector<PatchId> Curved; ///< surface of each patch
   std::vector<ClusterItem> Items;
   std::vector<Node> Nodes;
   std::deque<Range> Open;          ///< nodes that have no children yet
@@ -175,15 +196,16 @@ ClusterMaker::ClusterMaker(const FacetSet& facets, const std::vector<FacetEdge>&
   const std::vector<Patch>& patches, const std::vector<bool>& isActive)
   : Facets(facets)
   , Patches(patches)
+  , Curved(CurvedSurfacesOf(facets, edges, patches))
 {
-  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets, edges);
+  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets, edges, patches);
   this->Items.reserve(static_cast<std::size_t>(std::count(isActive.begin(), isActive.end(), true)));
   for (PatchId patch = 0; patch < patches.size(); ++patch)
   {
     if (isActive[patch])
     {
-      this->Items.push_back({ SortingPoint(ShapeOfPatch(facets, patch), patches[patch].normal),
-        patch, 2 * surfaces[patch / 2] + patch % 2 });
+      this->Items.push_back(
+        { this->KeyOf(patch), patch, 2 * surfaces[patch / 2] + patch % 2, this->Curved[patch] });
     }
   }
   // Room for elements, so that the first of a large scene does not move all of it.
@@ -200,7 +222,8 @@ std::vector<Node> ClusterMaker::Make()
     Range range = this->Open.front();
     this->Reorder(range);
     // An eighth at least on either side bounds the depth of the tree by a multiple of log n.
-    const std::ptrdiff_t least = range.order == Order::Surfaces ? 1 : range.Size() / 8;
+    const std::ptrdiff_t least =
+      range.order == Order::Surfaces || range.order == Order::CurvedSurfaces ? 1 : range.Size() / 8;
     this->Nodes[range.node].firstChild = static_cast<NodeId>(this->Nodes.size());
     this->Nodes[range.node].childCount = 2;
     for (const ClusterRange& part : Partition(range, std::max<std::ptrdiff_t>(1, least)))
@@ -209,6 +232,7 @@ std::vector<Node> ClusterMaker::Make()
     }
   }
   SummariseClusters(this->Nodes);
+  FindBends(this->Nodes, this->Patches, this->Curved);
   this->ShapeCutSurfaces();
   return std::move(this->Nodes);
 }
@@ -231,44 +255,71 @@ void ClusterMaker::Append(const ClusterRange& range, NodeId parent, Order order)
 
 void ClusterMaker::Reorder(Range& range)
 {
-  if (range.order == Order::Patches && HasFewCutSurfaces(range.first, range.last))
+  const auto has = [&range](SurfaceOfItem surface,
+                     bool (*what)(const ClusterItem*, const ClusterItem*, SurfaceOfItem))
+  { return what(range.first, range.last, surface); };
+  const Order before = range.order;
+  if (range.order == Order::Patches && has(&ClusterItem::curved, HasFewCutSurfaces))
   {
-    this->SortBySurface(range);
-    range.order = Order::Surfaces;
-    range.box = BoxOf(range.first, range.last);
+    this->SortBySurface(range, &ClusterItem::curved);
+    range.order = Order::CurvedSurfaces;
   }
-  const auto isOfFirst = [&range](const ClusterItem& item)
-  { return item.surface == range.first->surface; };
-  if (range.order == Order::Surfaces && std::all_of(range.first, range.last, isOfFirst))
+  if (range.order == Order::CurvedSurfaces && has(&ClusterItem::curved, IsOneSurface))
+  {
+    this->SortByPatch(range);
+    range.order = Order::WithinCurved;
+  }
+  if (range.order == Order::WithinCurved &&
+      (has(&ClusterItem::surface, HasFewCutSurfaces) || has(&ClusterItem::surface, IsOneSurface)))
+  {
+    this->SortBySurface(range, &ClusterItem::surface);
+    range.order = Order::Surfaces;
+  }
+  if (range.order == Order::Surfaces && has(&ClusterItem::surface, IsOneSurface))
   {
     this->SortWithinSurface(range);
     range.order = Order::WithinSurface;
-    range.box = BoxOf(range.first, range.last);
     this->CutSurfaces.push_back(range.node);
+  }
+  if (range.order != before)
+  {
+    range.box = BoxOf(range.first, range.last);
   }
 }
 
-void ClusterMaker::SortBySurface(const Range& range) const
+void ClusterMaker::SortByPatch(const Range& range) const
+{
+  for (ClusterItem* item = range.first; item != range.last; ++item)
+  {
+    item->key = this->KeyOf(item->patch);
+  }
+}
+
+void ClusterMaker::SortBySurface(const Range& range, SurfaceOfItem surface) const
 {
   struct Sums
   {
     Vec3 areaTimesCentroid{ 0.0 };
+    Vec3 areaTimesNormal{ 0.0 };
     double area = 0.0;
+    PatchId least = None;
   };
   std::map<std::uint32_t, Sums> surfaces;
   for (const ClusterItem* item = range.first; item != range.last; ++item)
   {
     const TriangleOrQuadrilateral& shape = this->Facets.facets[item->patch / 2].shape;
     const double area = Area(shape);
-    Sums& sums = surfaces[item->surface];
+    Sums& sums = surfaces[item->*surface];
     sums.areaTimesCentroid += area * Centroid(shape);
+    sums.areaTimesNormal += area * this->Patches[item->patch].normal;
     sums.area += area;
+    sums.least = std::min(sums.least, item->patch);
   }
   for (ClusterItem* item = range.first; item != range.last; ++item)
   {
-    const Sums& sums = surfaces[item->surface];
-    item->key =
-      sums.areaTimesCentroid / sums.area + InFront(sums.area) * this->Patches[item->patch].normal;
+    const Sums& sums = surfaces[item->*surface];
+    item->key = (sums.areaTimesCentroid + InFront(sums.area) * sums.areaTimesNormal) / sums.area +
+                Apart * InFront(sums.area) * this->Patches[sums.least].normal;
   }
 }
 

@@ -11,6 +11,8 @@ namespace vantage
 namespace
 {
 
+/// Between normals that are not worth a closer look. Slivers have bad ones.
+constexpr double LeastCosine = 0.5;
 /// Of the area, what gaps may amount to.
 constexpr double LargestGap = 1e-6;
 /// Hulls with more corners are given up: whatever joins them, it will be no quadrilateral.
@@ -129,21 +131,20 @@ Polygon Shape(std::vector<Node>& nodes, NodeId id, const Vec3& normal, double to
 }
 
 /// One looks like the other, on both sides, and lies in its plane.
-bool Continues(const Facet& a, const Facet& b, double tolerance)
+bool Continues(const Facet& a, const Facet& b, const Vec3& normal, double tolerance)
 {
   if (a.material != b.material || a.backMaterial != b.backMaterial)
   {
     return false;
   }
-  const Vec3 normal = UnitNormal(a.shape);
-  return glm::dot(normal, AreaNormal(b.shape)) > 0.0 &&
-         std::all_of(b.shape.begin(), b.shape.end(),
-           [&](const Vec3& p) { return std::abs(glm::dot(p - a.shape[0], normal)) <= tolerance; });
+  return std::all_of(b.shape.begin(), b.shape.end(),
+    [&](const Vec3& p) { return std::abs(glm::dot(p - a.shape[0], normal)) <= tolerance; });
 }
 
 } // namespace
 
-std::vector<std::uint32_t> SurfacesOf(const FacetSet& set, const std::vector<FacetEdge>& edges)
+std::vector<std::uint32_t> SurfacesOf(
+  const FacetSet& set, const std::vector<FacetEdge>& edges, const std::vector<Patch>& patches)
 {
   const std::vector<Facet>& facets = set.facets;
   const double tolerance = set.Tolerance();
@@ -151,9 +152,17 @@ std::vector<std::uint32_t> SurfacesOf(const FacetSet& set, const std::vector<Fac
   ForEachEdge(edges,
     [&](const auto first, const auto last)
     {
-      if (last - first == 2 && Continues(facets[first[0].facet], facets[first[1].facet], tolerance))
+      if (last - first != 2)
       {
-        surfaces.Join(first[0].facet, first[1].facet);
+        return;
+      }
+      const std::uint32_t a = first[0].facet;
+      const std::uint32_t b = first[1].facet;
+      const Vec3& normal = patches[PatchOf(a, Side::Front)].normal;
+      if (glm::dot(normal, patches[PatchOf(b, Side::Front)].normal) > LeastCosine &&
+          Continues(facets[a], facets[b], normal, tolerance))
+      {
+        surfaces.Join(a, b);
       }
     });
   std::vector<std::uint32_t> numbers(facets.size());

@@ -15,7 +15,8 @@ namespace vantage
 /// same and share edges, each with the next. Where a third one meets the edge, they are two: the
 /// floors of two rooms are, as a wall stands between them. Numbers ascend by the first facet.
 /// `edges` of the facets. O(n).
-std::vector<std::uint32_t> SurfacesOf(const FacetSet& facets, const std::vector<FacetEdge>& edges);
+std::vector<std::uint32_t> SurfacesOf(
+  const FacetSet& facets, const std::vector<FacetEdge>& edges, const std::vector<Patch>& patches);
 
 /// Gives a shape to each cluster at or below `root` whose patches together are a triangle or a
 /// convex quadrilateral without gaps: it exchanges light as one polygon. Gaps of a millionth of the

@@ -89,6 +89,12 @@ Polygon Node::Shape() const
   return shape;
 }
 
+void Node::SetBend(double value)
+{
+  constexpr double RoundOff = 1e-6;
+  this->bend = static_cast<std::uint8_t>(std::ceil(255.0 * std::max(0.0, value - RoundOff)));
+}
+
 void Node::SetShape(PolygonView shape)
 {
   std::copy(shape.begin(), shape.end(), this->corners.begin());

@@ -52,6 +52,7 @@ struct Node
   std::uint8_t childCount = 0;  ///< 0 (leaf), 2 (cluster) or 4 (patch, element)
   std::uint8_t cornerCount = 0; ///< 3 or 4; 0 without a shape
   std::uint8_t level = 0;       ///< subdivisions below the patch
+  std::uint8_t bend = 0;        ///< Bend(), in 255 parts
 
   bool IsLeaf() const { return this->childCount == 0; }
   bool IsCluster() const { return this->patch == None; }
@@ -59,6 +60,12 @@ struct Node
   bool HasShape() const { return this->cornerCount > 0; }
   /// \pre HasShape()
   Polygon Shape() const;
+  /// How much normals vary, 0 .. 1: sqrt(1 - m^2), where m is the length of the mean normal. 0 of
+  /// what is flat, 1 of clusters whose patches are not all of one curved surface
+  /// (CurvedSurfaces.h). Never too small, and by less than 1/255 too large.
+  double Bend() const { return this->bend / 255.0; }
+  bool IsSmooth() const { return this->bend < 255; }
+  void SetBend(double value);
 
   /// With centre, radius and area.
   void SetShape(PolygonView shape);

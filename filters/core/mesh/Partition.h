@@ -17,7 +17,8 @@ struct ClusterItem
 {
   Vec3 key; ///< what it is sorted by
   PatchId patch;
-  std::uint32_t surface; ///< one side of one surface (CutSurfaces.h)
+  std::uint32_t surface; ///< one side of one flat surface (CutSurfaces.h)
+  PatchId curved;        ///< the curved surface (CurvedSurfaces.h)
 };
 
 /// Items that follow each other, and the box of their keys.

@@ -336,6 +336,35 @@ TEST(Flow, AClusterThatNobodyLookedIntoSpreadsAsItsSourceDoes)
   EXPECT_GE(flow.Spread(0), std::sqrt(1.0 - 0.1 * 0.1) - 1e-12);
 }
 
+/// What a ball receives is as uneven as it is round: half of the bend, an agreed measure.
+TEST(Flow, PartOfACurvedSurfaceSpreadsAsItBends)
+{
+  const test::Stage stage(test::MakeBallOverFloor());
+  OpenTree tree = stage.MakeOpenTree();
+  OpenId part = 0;
+  for (; !tree[part].IsCluster() || tree.Geometry(part).Bend() > 0.4; ++part)
+  {
+    if (tree[part].IsCluster())
+    {
+      tree.Open(part);
+    }
+  }
+  const OpenId floor = test::PatchAt(tree, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 });
+  ASSERT_TRUE(tree[part].IsLeaf() && floor != None);
+  Flow flow;
+  flow.Follow(tree);
+  flow.SetSource(floor, Color(1.0));
+  Link link;
+  link.ends = { part, floor };
+  link.throughput = 0.01;
+  const LinkMatrix matrix(tree, { link });
+  flow.Sweep(matrix, test::NoClosure(tree));
+  flow.Sweep(matrix, test::NoClosure(tree));
+  flow.FindSpreads(tree, matrix, { link });
+  ASSERT_GT(flow.Received(part).x, 0.0);
+  EXPECT_NEAR(flow.Spread(part), 0.5 * tree.Geometry(part).Bend() * flow.Received(part).x, 1e-12);
+}
+
 TEST(Flow, NewNodesStartWithTheValueOfTheirParentAndClearForgets)
 {
   Graph graph(test::MakeRandomScene(7), 2);

@@ -180,6 +180,16 @@ inline void AddPanel(
     material);
 }
 
+/// A ball of 960 triangles over a floor at z = -1.
+inline Scene MakeBallOverFloor()
+{
+  Scene scene;
+  scene.materials = { MakeMaterial(Color(0.5)) };
+  AddPanel(scene, Vec3(0.0, 0.0, -1.0), Vec2(4.0, 4.0), true, 0);
+  AddBall(scene, Vec3(0.0), 0.4, 16, 0);
+  return scene;
+}
+
 /// A closed room with a crate and a lamp below the ceiling, all one-sided but the lamp.
 inline Scene MakeFurnishedRoom()
 {

@@ -184,6 +184,38 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   EXPECT_NEAR(thrice, 3.0 * once, 1e-12 * once);
 }
 
+/// The error of a link from a cluster to what the eye sees, by what is known of it.
+double ErrorFromCluster(bool hasLamp, double variation, double uncertainty)
+{
+  Fixture f;
+  OpenId cluster = 1;
+  while (!f.tree[cluster].IsCluster() || test::IsBelow(f.tree, f.surfaces[0], cluster) != hasLamp ||
+         test::IsBelow(f.tree, f.surfaces[2], cluster))
+  {
+    ++cluster;
+  }
+  std::vector<Link> links = { f.Between(0, 1, 0.1, 0.0, 0.0), f.Between(1, 2, 0.1, 0.0, 0.0),
+    f.Between(2, 3, 0.1, 0.0, 0.0) };
+  links[0].ends[1] = links[1].ends[0] = cluster;
+  f.Errors(links);
+  links[1].variation = variation;
+  links[1].uncertainty = uncertainty;
+  return LinkErrors(f.tree, links, f.radiance, f.importance, test::NoClosure(f.tree)).All();
+}
+
+TEST(LinkErrors, PartsOfCurvedSurfacesErrByTheirVariation)
+{
+  const double uncertain = ErrorFromCluster(false, 0.0, 0.02);
+  EXPECT_GT(uncertain, 0.0);
+  EXPECT_NEAR(ErrorFromCluster(false, 0.02, 0.5), uncertain, 1e-12 * uncertain);
+  EXPECT_NEAR(ErrorFromCluster(false, 0.01, 0.5), 0.5 * uncertain, 1e-12 * uncertain);
+}
+
+TEST(LinkErrors, LampsOnCurvedSurfacesAreUncertainUntilTheyAreNamed)
+{
+  EXPECT_GT(ErrorFromCluster(true, 1e-4, 0.02), 0.8 * ErrorFromCluster(true, 0.0, 0.02));
+}
+
 TEST(LinkErrors, WhatTheClosureMultipliesErrsByAsMuch)
 {
   Fixture f;

@@ -341,6 +341,34 @@ TEST(LinkEvaluator, WhatIsWithinAClusterIsInDoubtHoweverManyRaysWereStopped)
   EXPECT_GT(hidden, 0);
 }
 
+TEST(LinkEvaluator, OfPartsOfACurvedSurfaceTheVariationIsKnown)
+{
+  const test::Stage stage(test::MakeBallOverFloor());
+  OpenTree tree = stage.MakeOpenTree();
+  test::OpenTo(tree, 0);
+  const OpenId floor = test::PatchAt(tree, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 });
+  const LinkEvaluator evaluator(tree, stage.occluders, Rays);
+  int smooth = 0;
+  for (OpenId id = 0; id < tree.Size(); ++id)
+  {
+    if (!tree[id].IsCluster())
+    {
+      continue;
+    }
+    const Node& cluster = tree.Geometry(id);
+    const Link link = evaluator.Evaluate({ { id, floor } }).link;
+    EXPECT_LT(link.variation, link.throughput + 1e-12);
+    EXPECT_EQ(link.variation > 0.0, cluster.IsSmooth() && link.throughput > 0.0);
+    smooth += link.variation > 0.0 ? 1 : 0;
+    // The finer, the less; and the less of itself it can see.
+    EXPECT_GE(cluster.Bend() + 0.5, link.variation / (link.throughput + 1e-12));
+    const Link self = evaluator.Evaluate({ { id, id } }).link;
+    const double most = Pi * cluster.area * cluster.Bend() * cluster.Bend() / 16.0;
+    EXPECT_LE(self.uncertainty, (1.0 + 1e-12) * std::max(self.throughput, most));
+  }
+  EXPECT_GT(smooth, 200);
+}
+
 TEST(LinkEvaluator, AClusterNeverHasMoreThanAHemisphere)
 {
   const test::Stage stage(test::MakeFurnishedRoom());

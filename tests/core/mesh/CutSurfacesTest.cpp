@@ -18,7 +18,8 @@ using test::Named;
 std::size_t SurfaceCount(const Scene& scene)
 {
   const FacetSet facets = BuildFacets(scene);
-  const std::vector<std::uint32_t> surfaces = SurfacesOf(facets, EdgesOf(facets.facets));
+  const std::vector<std::uint32_t> surfaces =
+    SurfacesOf(facets, EdgesOf(facets.facets), ElementTree(facets, scene.materials).Patches());
   return std::set<std::uint32_t>(surfaces.begin(), surfaces.end()).size();
 }
 
