@@ -79,13 +79,15 @@ std::vector<std::string> SceneWarnings(const Scene& scene, const FacetSet& facet
 
 std::string DescribeScene(const Scene& scene, const FacetSet& facets)
 {
-  const std::vector<bool> isDark = DarkSides(facets, EdgesOf(facets.facets), scene.materials);
+  const std::vector<std::uint32_t> bodyOf = FindDarkSides(facets, scene.materials).bodyOf;
+  const auto darkSides =
+    static_cast<std::ptrdiff_t>(bodyOf.size()) - std::count(bodyOf.begin(), bodyOf.end(), None);
   std::ostringstream text;
   text << "vertices     " << scene.vertices.size() << "\npolygons     " << scene.PolygonCount()
        << "\nfacets       " << facets.facets.size() << " after cleaning ("
        << facets.report.concavePolygons << " concave and " << facets.report.largePolygons
        << " large polygons triangulated, " << facets.report.mergedFacets
-       << " merged back to back)\ndark sides   " << std::count(isDark.begin(), isDark.end(), true)
+       << " merged back to back)\ndark sides   " << darkSides
        << " inside closed bodies without a lamp: they take no part\nmaterials    "
        << scene.materials.size() << "\nbounding box " << Print(facets.low) << " to "
        << Print(facets.high) << '\n';

@@ -3,6 +3,7 @@
 #include "core/GoalOrientedEngine.h"
 #include "core/ShootingEngine.h"
 #include "core/mesh/ContactCuts.h"
+#include "core/mesh/DarkSides.h"
 #include "core/transport/Solvability.h"
 #include "core/view/ViewImportance.h"
 
@@ -43,10 +44,10 @@ Scene Validated(Scene scene)
 }
 
 std::unique_ptr<Engine> MakeEngine(const SolverSettings& settings, const Scene& scene,
-  const FacetSet& facets, const OccluderScene& occluders)
+  const FacetSet& facets, const DarkSides& dark, const OccluderScene& occluders)
 {
   settings.Validate();
-  ElementTree tree(facets, scene.materials, Sides::Lit);
+  ElementTree tree(facets, scene.materials, dark);
   std::vector<PatchOptics> optics = MakeOptics(facets, scene.materials);
   if (settings.method == Method::GoalOriented)
   {
@@ -107,8 +108,9 @@ struct Solver::Implementation
     : scene(Validated(std::move(givenScene)))
     , settings(givenSettings)
     , facets(CutAtContacts(BuildFacets(this->scene)))
-    , occluders(std::make_shared<const OccluderScene>(this->facets))
-    , engine(MakeEngine(givenSettings, this->scene, this->facets, *this->occluders))
+    , dark(FindDarkSides(this->facets, this->scene.materials))
+    , occluders(std::make_shared<const OccluderScene>(this->facets, this->dark))
+    , engine(MakeEngine(givenSettings, this->scene, this->facets, this->dark, *this->occluders))
   {
   }
 
@@ -160,13 +162,11 @@ struct Solver::Implementation
     if (std::none_of(materials.begin(), materials.end(),
           [](const Material& material) { return MaxChannel(material.emission) > 0.0; }))
     {
-      return true; // ActivePatches() leaves nothing out then
+      return true; // FindDarkSides() finds nothing then
     }
-    const std::vector<bool> isLit =
-      ActivePatches(this->facets, EdgesOf(this->facets.facets), materials, Sides::Lit);
-    const std::vector<Patch>& known = this->engine->Tree().Patches();
-    return std::equal(isLit.begin(), isLit.end(), known.begin(),
-      [](bool lit, const Patch& patch) { return !lit || patch.IsActive(); });
+    const DarkSides stillDark = FindDarkSides(this->facets, materials);
+    return std::equal(this->dark.bodyOf.begin(), this->dark.bodyOf.end(), stillDark.bodyOf.begin(),
+      [](std::uint32_t before, std::uint32_t now) { return before == None || now != None; });
   }
 
   /// Materials have changed, or nothing has been asked of them yet.
@@ -183,6 +183,7 @@ struct Solver::Implementation
   Scene scene;
   SolverSettings settings;
   FacetSet facets;
+  DarkSides dark;
   std::shared_ptr<const OccluderScene> occluders;
   std::unique_ptr<Engine> engine;
   std::vector<StepReport> history;

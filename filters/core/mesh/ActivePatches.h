@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/FacetEdges.h"
+#include "core/mesh/Facets.h"
 
 #include <vector>
 
@@ -10,16 +10,21 @@
 namespace vantage
 {
 
+struct DarkSides;
+
 /// Those that may.
 enum class Sides
 {
-  Both,      ///< of two-sided materials; the front of others
-  FrontOnly, ///< that are the front of a polygon of the scene
-  Lit        ///< as Both, without what is known to be dark (DarkSides.h)
+  Both,     ///< of two-sided materials; the front of others
+  FrontOnly ///< that are the front of a polygon of the scene
 };
 
-/// For each patch whether it is one of them. `edges` of the facets. O(n), but for the dark ones.
-std::vector<bool> ActivePatches(const FacetSet& facets, const std::vector<FacetEdge>& edges,
-  const std::vector<Material>& materials, Sides sides);
+/// For each patch whether it is one of them. O(n).
+std::vector<bool> ActivePatches(
+  const FacetSet& facets, const std::vector<Material>& materials, Sides sides = Sides::Both);
+
+/// Without those that are dark.
+std::vector<bool> ActivePatches(
+  const FacetSet& facets, const std::vector<Material>& materials, const DarkSides& dark);
 
 } // namespace vantage

@@ -354,10 +354,10 @@ void ClusterMaker::ShapeCutSurfaces()
 
 } // namespace
 
-std::vector<Node> MakeClusters(const FacetSet& facets, const std::vector<FacetEdge>& edges,
-  const std::vector<Patch>& patches, const std::vector<bool>& isActive)
+std::vector<Node> MakeClusters(
+  const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<bool>& isActive)
 {
-  return ClusterMaker(facets, edges, patches, isActive).Make();
+  return ClusterMaker(facets, EdgesOf(facets.facets), patches, isActive).Make();
 }
 
 } // namespace vantage

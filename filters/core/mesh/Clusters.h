@@ -22,8 +22,8 @@ inline TriangleOrQuadrilateral ShapeOfPatch(const FacetSet& facets, PatchId id)
 /// front of it, so that the two sides of a wall part early and the walls of a room stay together.
 /// Where few surfaces are left that were cut into many patches each, the surfaces part first:
 /// curved ones, and within these flat ones. What was one polygon before it was cut becomes a flat
-/// cluster. `edges` of the facets. O(n log n). \pre there is an active patch
-std::vector<Node> MakeClusters(const FacetSet& facets, const std::vector<FacetEdge>& edges,
-  const std::vector<Patch>& patches, const std::vector<bool>& isActive);
+/// cluster. O(n log n). \pre there is an active patch
+std::vector<Node> MakeClusters(
+  const FacetSet& facets, const std::vector<Patch>& patches, const std::vector<bool>& isActive);
 
 } // namespace vantage

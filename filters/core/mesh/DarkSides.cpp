@@ -1,6 +1,5 @@
 #include "core/mesh/DarkSides.h"
 
-#include "core/mesh/Bounds.h"
 #include "core/mesh/PackedLists.h"
 #include "core/mesh/Shells.h"
 
@@ -148,9 +147,6 @@ public:
            this->IsOneSpace(shell);
   }
 
-private:
-  PolygonView Shape(PatchId patch) const { return this->Facets[patch / 2].shape; }
-
   Bounds BoundsOfShell(const Shell& shell) const
   {
     Bounds bounds;
@@ -160,6 +156,9 @@ private:
     }
     return bounds;
   }
+
+private:
+  PolygonView Shape(PatchId patch) const { return this->Facets[patch / 2].shape; }
 
   /// Its volume is negative: the sides look inwards.
   bool EnclosesAir(const Shell& shell) const
@@ -226,16 +225,15 @@ private:
 
 } // namespace
 
-std::vector<bool> DarkSides(const FacetSet& facets, const std::vector<FacetEdge>& edges,
-  const std::vector<Material>& materials)
+DarkSides FindDarkSides(const FacetSet& facets, const std::vector<Material>& materials)
 {
-  std::vector<bool> isDark(2 * facets.facets.size(), false);
+  DarkSides dark{ std::vector<std::uint32_t>(2 * facets.facets.size(), None), {} };
   const DarknessFinder finder(facets, materials);
   if (!finder.HasLamps())
   {
-    return isDark;
+    return dark;
   }
-  const std::vector<PatchId> shellOf = ShellsOf(facets, edges);
+  const std::vector<PatchId> shellOf = ShellsOf(facets, EdgesOf(facets.facets));
   const PackedLists<PatchId> shells(shellOf.size(),
     [&](const auto& visit)
     {
@@ -255,11 +253,12 @@ std::vector<bool> DarkSides(const FacetSet& facets, const std::vector<FacetEdge>
     {
       for (const PatchId patch : shell)
       {
-        isDark[patch] = true;
+        dark.bodyOf[patch] = static_cast<std::uint32_t>(dark.bodies.size());
       }
+      dark.bodies.push_back(finder.BoundsOfShell(shell));
     }
   }
-  return isDark;
+  return dark;
 }
 
 } // namespace vantage

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/mesh/Bounds.h"
 #include "core/mesh/ElementTree.h"
-#include "core/mesh/FacetEdges.h"
 
 #include <vector>
 
@@ -11,16 +11,24 @@
 namespace vantage
 {
 
-/// For each patch whether it is known to be dark: it belongs to a shell (Shells.h) that encloses
-/// air, and there is no lamp in there. So are the insides of furniture, of columns and of solid
-/// walls, as modellers draw them. None is dark in a scene where nothing emits.
+/// Patches that are known to be dark: those of shells (Shells.h) that enclose air without a lamp in
+/// there.
+struct DarkSides
+{
+  std::vector<std::uint32_t> bodyOf; ///< of each patch: the body that it is inside of, or None
+  std::vector<Bounds> bodies;        ///< the box around each
+
+  bool operator[](PatchId patch) const { return this->bodyOf[patch] != None; }
+};
+
+/// The insides of furniture, of columns and of solid walls, as modellers draw them. None is dark in
+/// a scene where nothing emits.
 ///
 /// What counts as a lamp in there: a side of the shell that emits, a lamp around which the shell
 /// winds (the signed solid angle of all its sides, over 4 pi), and one that may stick through it.
 /// Shells that wind around some of their own sides in another sense than around others, as broken
-/// models do, are not dark; some sides of each are looked at. `edges` of the facets.
+/// models do, are not dark; some sides of each are looked at.
 /// O(n log n); a lamp whose bounding box meets that of a shell costs as much as that has sides.
-std::vector<bool> DarkSides(const FacetSet& facets, const std::vector<FacetEdge>& edges,
-  const std::vector<Material>& materials);
+DarkSides FindDarkSides(const FacetSet& facets, const std::vector<Material>& materials);
 
 } // namespace vantage

@@ -106,12 +106,21 @@ void Node::SetShape(PolygonView shape)
 
 ElementTree::ElementTree(
   const FacetSet& facets, const std::vector<Material>& materials, Sides sides)
+  : ElementTree(facets, ActivePatches(facets, materials, sides))
+{
+}
+
+ElementTree::ElementTree(
+  const FacetSet& facets, const std::vector<Material>& materials, const DarkSides& dark)
+  : ElementTree(facets, ActivePatches(facets, materials, dark))
+{
+}
+
+ElementTree::ElementTree(const FacetSet& facets, const std::vector<bool>& isActive)
   : AllPatches(MakePatches(facets))
 {
   assert(!facets.facets.empty());
-  const std::vector<FacetEdge> edges = EdgesOf(facets.facets);
-  const std::vector<bool> isActive = ActivePatches(facets, edges, materials, sides);
-  this->Nodes = MakeClusters(facets, edges, this->AllPatches, isActive);
+  this->Nodes = MakeClusters(facets, this->AllPatches, isActive);
   this->LeafElements = static_cast<std::size_t>(std::count(isActive.begin(), isActive.end(), true));
   for (NodeId id = 0; id < this->Nodes.size(); ++id)
   {

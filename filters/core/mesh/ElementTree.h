@@ -79,9 +79,12 @@ public:
   /// Binary clusters over the active patches; a single patch is the root itself. They are split by
   /// centroid and by normal: a patch is sorted by a point of the air in front of it, so that the
   /// two sides of a wall part early and the walls of a room stay together. O(n log n). `materials`
-  /// tells which facets are one-sided, and where lamps are. \pre there is a facet
+  /// tells which facets are one-sided. \pre there is a facet
   ElementTree(
     const FacetSet& facets, const std::vector<Material>& materials, Sides sides = Sides::Both);
+  /// Without what is dark. \pre something is not
+  ElementTree(
+    const FacetSet& facets, const std::vector<Material>& materials, const DarkSides& dark);
 
   NodeId Root() const { return 0; }
   NodeId Size() const { return static_cast<NodeId>(this->Nodes.size()); }
@@ -107,6 +110,8 @@ public:
   NodeId LeafContaining(NodeId id, const Vec3& point) const;
 
 private:
+  ElementTree(const FacetSet& facets, const std::vector<bool>& isActive);
+
   std::vector<Node> Nodes;
   std::vector<Patch> AllPatches;
   std::size_t LeafElements = 0;

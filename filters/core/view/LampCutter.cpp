@@ -33,12 +33,12 @@ LampCutter::LampCutter(const Polygon& lamp)
   this->Sliver = LargestSliver * Area(this->Lamp);
 }
 
-std::uint32_t LampCutter::AddOccluder(const Polygon& shape)
+std::uint32_t LampCutter::AddOccluder(const Polygon& shape, Inside inside)
 {
   const Vec3 normal = AreaNormal(shape);
   const auto first = static_cast<std::uint32_t>(this->Edges.size());
   this->Occluders.push_back(
-    { { -glm::dot(normal, shape[0]), normal.x, normal.y }, first, first + shape.Size() });
+    { { -glm::dot(normal, shape[0]), normal.x, normal.y }, first, first + shape.Size(), inside });
   for (int i = 0; i < shape.Size(); ++i)
   {
     // The normal of the plane through x and the edge, n(x) = moment - along x x, towards a place
@@ -75,24 +75,32 @@ bool LampCutter::HidesAll(std::uint32_t occluder, const Polygon& points) const
 }
 
 std::optional<double> LampCutter::Seen(
-  const Vec2& x, const std::vector<std::uint32_t>& occluders, Shadows& shadows) const
+  const Vec2& x, const std::vector<Suspect>& suspects, Shadows& shadows) const
 {
   shadows.All.clear();
   Shadow shadow;
-  for (const std::uint32_t occluder : occluders)
+  for (const Suspect& suspect : suspects)
   {
-    const Cover cover = this->Cast(this->Occluders[occluder], x, shadow);
+    const Occluder& occluder = this->Occluders[suspect.occluder];
+    const Cover cover = this->Cast(occluder, x, shadow);
     if (cover == Cover::Whole)
     {
       shadows.All.clear();
       return 0.0;
     }
-    if (cover == Cover::Part)
+    if (cover == Cover::Part && !(suspect.isSeenFromOutside && IsInside(occluder, x)))
     {
       shadows.All.push_back(shadow);
     }
   }
   return shadows.All.empty() ? this->Kernel.At(x) : this->SeenPast(shadows, x);
+}
+
+/// Whether the side that x sees is the inside of a body.
+bool LampCutter::IsInside(const Occluder& occluder, const Vec2& x)
+{
+  return occluder.inside != Inside::None &&
+         (occluder.side.At(x) > 0.0) == (occluder.inside == Inside::Front);
 }
 
 /// How much of the lamp is inside of an edge as x sees it. \param sign of the side of the occluder

@@ -23,12 +23,29 @@ public:
   /// \param lamp above the plane, with an area
   explicit LampCutter(const Polygon& lamp);
 
+  /// Which side of an occluder is the inside of a closed body, if one is.
+  enum class Inside
+  {
+    None,
+    Front,
+    Back
+  };
+
   /// \param shape above the plane and in front of the lamp, with an area
   /// \return its number, from 0
-  std::uint32_t AddOccluder(const Polygon& shape);
+  std::uint32_t AddOccluder(const Polygon& shape, Inside inside = Inside::None);
 
   /// Whether the occluder hides all of the lamp from all of a convex polygon in the plane.
   bool HidesAll(std::uint32_t occluder, const Polygon& points) const;
+
+  /// An occluder that is to be reckoned with, and whether the points are known to be outside of
+  /// the body that it belongs to: then there are others of it by which all enters the body that
+  /// comes to its inside.
+  struct Suspect
+  {
+    std::uint32_t occluder;
+    bool isSeenFromOutside = false;
+  };
 
   /// Whether the lamp is on one side of an edge of the occluder as one of some points sees it, and
   /// on the other side as another one does: then the edge of the shadow is narrower than the points
@@ -42,7 +59,7 @@ public:
   /// What x sees past some of the occluders, in sr. \pre x is in front of the lamp. Nothing where
   /// the shadows leave so many parts that a few hundred rays are quicker.
   std::optional<double> Seen(
-    const Vec2& x, const std::vector<std::uint32_t>& occluders, Shadows& shadows) const;
+    const Vec2& x, const std::vector<Suspect>& suspects, Shadows& shadows) const;
 
 private:
   static constexpr int MostCorners = Polygon::Capacity;
@@ -85,6 +102,7 @@ private:
   {
     Affine side; ///< of its plane that x is on, by the sign
     std::uint32_t firstEdge, lastEdge;
+    Inside inside;
   };
   enum class Cover
   {
@@ -93,6 +111,7 @@ private:
     Whole
   };
 
+  static bool IsInside(const Occluder& occluder, const Vec2& x);
   double CommonSide(const Occluder& occluder, const Polygon& points) const;
   Cover CoverBehind(std::uint32_t edge, double sign, const Vec2& x) const;
   Cover Cast(const Occluder& occluder, const Vec2& x, Shadow& shadow) const;

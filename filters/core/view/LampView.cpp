@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace vantage
@@ -81,8 +80,10 @@ DirectCounters LampView::Look(
   }
   Group all{ first, last, {} };
   const Search search = this->SearchAround(all, tolerance);
-  all.occluders.resize(search.facets.size());
-  std::iota(all.occluders.begin(), all.occluders.end(), 0u);
+  for (std::uint32_t k = 0; k < search.facets.size(); ++k)
+  {
+    all.suspects.push_back({ k });
+  }
   DirectCounters counters = this->Look(std::move(all), search, factors);
   ++counters.occluderQueries;
   return counters;
@@ -123,7 +124,7 @@ Polygon LampView::Between(std::uint32_t facet) const
 
 LampView::Search LampView::SearchAround(const Group& all, double tolerance) const
 {
-  Search search{ {}, LampCutter(this->Lamp), tolerance };
+  Search search{ {}, {}, LampCutter(this->Lamp), tolerance };
   const Polygon bounds = this->Bounds(all);
   if (bounds.Empty())
   {
@@ -155,8 +156,13 @@ LampView::Search LampView::SearchAround(const Group& all, double tolerance) cons
     const Polygon between = this->Between(facet);
     if (facet != this->Facet && facet != this->LampFacet && !between.Empty())
     {
+      const auto inside = this->Occluders->InsideOf(facet);
       search.facets.push_back(facet);
-      search.cutter.AddOccluder(between);
+      search.insides.push_back(inside);
+      search.cutter.AddOccluder(between,
+        !inside
+          ? LampCutter::Inside::None
+          : (inside->side == Side::Front ? LampCutter::Inside::Front : LampCutter::Inside::Back));
     }
   }
   return search;
@@ -171,21 +177,41 @@ bool LampView::Narrow(Group& group, const Search& search) const
   {
     return false;
   }
-  if (group.occluders.empty())
+  if (group.suspects.empty())
   {
     return true;
   }
   const double tolerance = this->Occluders->Tolerance();
-  if (const auto shaft = Shaft(this->ToWorld(bounds), this->ToWorld(this->Lamp), tolerance))
+  const Polygon ground = this->ToWorld(bounds);
+  if (const auto shaft = Shaft(ground, this->ToWorld(this->Lamp), tolerance))
   {
-    const auto isElsewhere = [&](std::uint32_t k)
-    { return !ReachesInto(this->Occluders->Shape(search.facets[k]), *shaft, tolerance); };
-    group.occluders.erase(
-      std::remove_if(group.occluders.begin(), group.occluders.end(), isElsewhere),
-      group.occluders.end());
+    const auto isElsewhere = [&](const LampCutter::Suspect& suspect)
+    {
+      const std::uint32_t facet = search.facets[suspect.occluder];
+      return !ReachesInto(this->Occluders->Shape(facet), *shaft, tolerance);
+    };
+    group.suspects.erase(std::remove_if(group.suspects.begin(), group.suspects.end(), isElsewhere),
+      group.suspects.end());
   }
-  return std::none_of(group.occluders.begin(), group.occluders.end(),
-    [&](std::uint32_t k) { return search.cutter.HidesAll(k, bounds); });
+  this->LookForBodies(group, search, ground);
+  return std::none_of(group.suspects.begin(), group.suspects.end(),
+    [&](const LampCutter::Suspect& suspect)
+    { return search.cutter.HidesAll(suspect.occluder, bounds); });
+}
+
+/// Finds out which bodies are elsewhere.
+void LampView::LookForBodies(Group& group, const Search& search, const Polygon& ground) const
+{
+  vantage::Bounds box;
+  for (const Vec3& corner : ground)
+  {
+    box.Add(corner);
+  }
+  for (LampCutter::Suspect& suspect : group.suspects)
+  {
+    const auto& inside = search.insides[suspect.occluder];
+    suspect.isSeenFromOutside = suspect.isSeenFromOutside || (inside && !inside->body.Meets(box));
+  }
 }
 
 DirectCounters LampView::Look(Group group, const Search& search, double* factors) const
@@ -214,8 +240,8 @@ bool LampView::IsSmall(const Group& group, const Search& search)
 {
   const auto count = group.last - group.first;
   const bool isExact = search.tolerance == 0.0;
-  return count <= SmallGroup || group.occluders.empty() ||
-         (isExact && count <= SmallGroupOfFewFacets && group.occluders.size() <= FewFacets);
+  return count <= SmallGroup || group.suspects.empty() ||
+         (isExact && count <= SmallGroupOfFewFacets && group.suspects.size() <= FewFacets);
 }
 
 DirectCounters LampView::LookHalves(const Group& group, const Search& search, double* factors) const
@@ -231,10 +257,10 @@ DirectCounters LampView::LookHalves(const Group& group, const Search& search, do
   }
   DirectCounters lower, upper;
   const auto lookLower = [&] {
-    lower = this->Look({ group.first, middle, group.occluders }, search, factors);
+    lower = this->Look({ group.first, middle, group.suspects }, search, factors);
   };
   const auto lookUpper = [&] {
-    upper = this->Look({ middle, group.last, group.occluders }, search, factors);
+    upper = this->Look({ middle, group.last, group.suspects }, search, factors);
   };
   if (group.last - group.first > ParallelGroup)
   {
@@ -253,13 +279,14 @@ DirectCounters LampView::LookHalves(const Group& group, const Search& search, do
 bool LampView::LookSmoothly(
   const Group& group, const Search& search, double* factors, DirectCounters& counters) const
 {
-  if (search.tolerance == 0.0 || group.occluders.empty() || group.last - group.first <= LeastToFit)
+  if (search.tolerance == 0.0 || group.suspects.empty() || group.last - group.first <= LeastToFit)
   {
     return false;
   }
   const Polygon bounds = this->Bounds(group);
-  const auto isSharp = [&](std::uint32_t k) { return search.cutter.IsSharp(k, bounds); };
-  if (std::any_of(group.occluders.begin(), group.occluders.end(), isSharp))
+  const auto isSharp = [&](const LampCutter::Suspect& suspect)
+  { return search.cutter.IsSharp(suspect.occluder, bounds); };
+  if (std::any_of(group.suspects.begin(), group.suspects.end(), isSharp))
   {
     return false;
   }
@@ -297,7 +324,7 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
     return 0.0;
   }
   const auto seen =
-    shadows.AreTooMany() ? std::nullopt : search.cutter.Seen(local, group.occluders, shadows);
+    shadows.AreTooMany() ? std::nullopt : search.cutter.Seen(local, group.suspects, shadows);
   const double factor = seen ? *seen : this->SeenByRays(place, counters);
   counters.lampEvaluations += factor > 0.0 ? 1 : 0;
   counters.cutEvaluations += shadows.Any() ? 1 : 0;

@@ -5,6 +5,7 @@
 #include "core/view/LampKernel.h"
 #include "core/view/PatchFrame.h"
 
+#include <optional>
 #include <vector>
 
 /// \file LampView.h
@@ -37,7 +38,8 @@ private:
   /// All that may stand between the lamp and some points.
   struct Search
   {
-    std::vector<std::uint32_t> facets; ///< of each occluder in the cutter
+    std::vector<std::uint32_t> facets;                         ///< of each occluder in the cutter
+    std::vector<std::optional<OccluderScene::Inside>> insides; ///< of these
     LampCutter cutter;
     double tolerance;
   };
@@ -46,11 +48,12 @@ private:
   {
     LampSpot* first;
     LampSpot* last;
-    std::vector<std::uint32_t> occluders;
+    std::vector<LampCutter::Suspect> suspects;
   };
 
   Search SearchAround(const Group& all, double tolerance) const;
   bool Narrow(Group& group, const Search& search) const;
+  void LookForBodies(Group& group, const Search& search, const Polygon& ground) const;
   DirectCounters Look(Group group, const Search& search, double* factors) const;
   DirectCounters LookHalves(const Group& group, const Search& search, double* factors) const;
   static bool IsSmall(const Group& group, const Search& search);

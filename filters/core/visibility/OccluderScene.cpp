@@ -199,6 +199,7 @@ struct OccluderScene::Implementation
   double scale; ///< normalised = (x - centre) * scale
   OccluderList list;
   FacetHierarchy hierarchy;
+  DarkSides dark;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
 
@@ -298,9 +299,10 @@ void OccluderScene::Implementation::TraceNearest(Query& query) const
   rtcIntersect1(this->scene, &query.context, &ray);
 }
 
-OccluderScene::OccluderScene(const FacetSet& facets)
+OccluderScene::OccluderScene(const FacetSet& facets, DarkSides dark)
   : Impl(std::make_unique<Implementation>(facets))
 {
+  this->Impl->dark = std::move(dark);
 }
 OccluderScene::~OccluderScene() = default;
 OccluderScene::OccluderScene(OccluderScene&&) noexcept = default;
@@ -375,6 +377,23 @@ bool OccluderScene::IsProvablyEmpty(const ConvexRegion& region, int effort) cons
 std::uint32_t OccluderScene::FacetCount() const
 {
   return this->Impl->shapes.Size();
+}
+
+std::optional<OccluderScene::Inside> OccluderScene::InsideOf(std::uint32_t facet) const
+{
+  const DarkSides& dark = this->Impl->dark;
+  if (dark.bodies.empty())
+  {
+    return std::nullopt;
+  }
+  const std::uint32_t front = dark.bodyOf[PatchOf(facet, Side::Front)];
+  const std::uint32_t back = dark.bodyOf[PatchOf(facet, Side::Back)];
+  if ((front == None) == (back == None))
+  {
+    return std::nullopt;
+  }
+  return front != None ? Inside{ Side::Front, dark.bodies[front] }
+                       : Inside{ Side::Back, dark.bodies[back] };
 }
 
 Polygon OccluderScene::Shape(std::uint32_t facet) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/DarkSides.h"
 #include "core/mesh/ElementTree.h"
 #include "core/visibility/ConvexRegion.h"
 
@@ -42,7 +43,7 @@ class OccluderScene
 {
 public:
   /// O(n log n); keeps a copy of the shapes. \throw Error when Embree refuses.
-  explicit OccluderScene(const FacetSet& facets);
+  explicit OccluderScene(const FacetSet& facets, DarkSides dark = {});
   ~OccluderScene();
   OccluderScene(OccluderScene&&) noexcept;
   OccluderScene& operator=(OccluderScene&&) noexcept;
@@ -72,6 +73,16 @@ public:
   /// True when no facet reaches into the region and the proof needs to look at no more than
   /// `effort` facets and boxes of facets.
   bool IsProvablyEmpty(const ConvexRegion& region, int effort) const;
+
+  /// The side of a facet that is the inside of a closed body, and the box around that.
+  struct Inside
+  {
+    Side side;
+    Bounds body;
+  };
+  /// Nothing where no side is known to be one, or both are. A segment that starts outside of the
+  /// body and passes through this facet from its inside has entered by another facet.
+  std::optional<Inside> InsideOf(std::uint32_t facet) const;
 
   std::uint32_t FacetCount() const;
   Polygon Shape(std::uint32_t facet) const;

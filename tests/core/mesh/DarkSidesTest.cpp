@@ -36,9 +36,9 @@ struct Counted
 Counted CountDark(const Scene& scene)
 {
   const FacetSet facets = CutAtContacts(BuildFacets(scene));
-  const std::vector<bool> isDark = DarkSides(facets, EdgesOf(facets.facets), scene.materials);
+  const DarkSides isDark = FindDarkSides(facets, scene.materials);
   Counted count;
-  for (PatchId patch = 0; patch < isDark.size(); ++patch)
+  for (PatchId patch = 0; patch < isDark.bodyOf.size(); ++patch)
   {
     const std::uint32_t material = facets.facets[patch / 2].MaterialOf(SideOf(patch));
     int& counter = material == Wall ? count.walls : (material == Body ? count.bodies : count.lamps);
@@ -202,8 +202,8 @@ TEST(DarkSides, NoSideOfABrokenBodyIsDarkThatSeesTheRoom)
       scene.AddPolygon(isEven ? std::vector<Vec3>{ x, y, z } : std::vector<Vec3>{ x, z, y }, Body);
     }
     const FacetSet facets = BuildFacets(scene);
-    const std::vector<bool> isDark = DarkSides(facets, EdgesOf(facets.facets), scene.materials);
-    for (PatchId patch = 0; patch < isDark.size(); ++patch)
+    const DarkSides isDark = FindDarkSides(facets, scene.materials);
+    for (PatchId patch = 0; patch < isDark.bodyOf.size(); ++patch)
     {
       const Vec3 front = UnitNormal(facets.facets[patch / 2].shape);
       const Frame frame(SideOf(patch) == Side::Front ? front : -front);

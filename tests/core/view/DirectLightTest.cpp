@@ -2,7 +2,9 @@
 #include "core/formfactor/FormFactor.h"
 #include "core/formfactor/Shadows.h"
 #include "core/math/Sampling.h"
+#include "core/mesh/DarkSides.h"
 #include "core/view/GatherStage.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -167,6 +169,45 @@ struct FloorError
     this->worst /= brightest;
   }
 };
+
+/// Bodies beside, above and across each other, on the floor and through it. Oracle: the same
+/// without knowing that they are closed, at points of the floor in and around them.
+TEST(DirectLight, ClosedBodiesCastTheSameShadows)
+{
+  Scene scene = MakeLampOverFloor({});
+  const auto addBox = [&](const Vec3& low, const Vec3& high) {
+    test::AddBox(scene, low, high, false, { 2, 2, 2, 2, 2, 2 });
+  };
+  addBox({ -0.6, -0.5, 0.0 }, { -0.3, 0.1, 0.5 });
+  addBox({ -0.4, -0.1, 0.0 }, { 0.0, 0.3, 0.3 });
+  addBox({ 0.3, -0.5, -0.2 }, { 0.5, 0.4, 0.2 });
+  test::AddBall(scene, { 0.1, -0.3, 0.45 }, 0.15, 4, 2);
+  const GatherStage stage(scene, [](PatchId) { return Color(0.0); });
+  const OccluderScene knowing(stage.facets, FindDarkSides(stage.facets, scene.materials));
+  PatchId floor = None;
+  for (PatchId p = 0; p < stage.tree.Patches().size(); ++p)
+  {
+    const bool isFloor = stage.facets.facets[p / 2].material == 0;
+    floor = isFloor && stage.Normal(p).z > 0.5 ? p : floor;
+  }
+  std::vector<Vec3> points;
+  for (int i = 0; i < 60 * 60; ++i)
+  {
+    points.emplace_back(-1.0 + (i % 60 + 0.5) / 30.0, -1.0 + (i / 60 + 0.5) / 30.0, 0.0);
+  }
+  DirectCounters unaware, aware;
+  const std::vector<Color> expected =
+    DirectLight(stage.occluders, stage.solution).At(floor, points, unaware);
+  const std::vector<Color> found = DirectLight(knowing, stage.solution).At(floor, points, aware);
+  int dark = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    ASSERT_LT(glm::length(found[i] - expected[i]), 1e-8) << i; // other cuts
+    dark += MaxChannel(expected[i]) == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(dark, 200); // below the bodies at least
+  EXPECT_GT(aware.cutEvaluations, 300u);
+}
 
 TEST(DirectLight, ErrsByLessThanItsToleranceAndTakesLess)
 {

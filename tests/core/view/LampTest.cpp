@@ -4,6 +4,8 @@
 #include "core/view/LampCutter.h"
 #include "core/view/LampKernel.h"
 
+#include "support/TestScenes.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,7 +94,7 @@ TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
     const Plane front = SupportingPlane(lamp);
     LampCutter cutter(lamp);
     std::vector<Polygon> occluders;
-    std::vector<std::uint32_t> all;
+    std::vector<LampCutter::Suspect> all;
     for (int k = 0; k < 5; ++k)
     {
       const Vec3 centre(random.Next() - 0.5, random.Next() - 0.5, 0.6 * random.Next());
@@ -101,7 +103,7 @@ TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
       if (!part.Empty())
       {
         occluders.push_back(part);
-        all.push_back(cutter.AddOccluder(part));
+        all.push_back({ cutter.AddOccluder(part) });
       }
     }
     const Vec3 x = RandomPoint(random);
@@ -118,6 +120,43 @@ TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
   }
   EXPECT_GT(cuts, 300);
   EXPECT_GT(hidden, 20);
+}
+
+/// Who is outside of a closed body needs the faces by which one enters it only.
+TEST(LampCutter, FromOutsideABodyCastsItsShadowByHalfOfItsFaces)
+{
+  RandomStream random(12);
+  const Polygon lamp{ { -0.3, -0.3, 1.0 }, { -0.3, 0.3, 1.0 }, { 0.3, 0.3, 1.0 },
+    { 0.3, -0.3, 1.0 } };
+  int cuts = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vec3 centre(0.6 * random.Next() - 0.3, 0.6 * random.Next() - 0.3, 0.5);
+    const Vec3 half = 0.02 + 0.2 * Vec3(random.Next(), random.Next(), random.Next());
+    Scene body;
+    test::AddBox(body, centre - half, centre + half, i % 2 == 0, { 0, 0, 0, 0, 0, 0 });
+    const auto inside = i % 2 == 0 ? LampCutter::Inside::Front : LampCutter::Inside::Back;
+    LampCutter cutter(lamp);
+    std::vector<Polygon> faces;
+    std::vector<LampCutter::Suspect> suspects;
+    for (std::size_t p = 0; p < body.PolygonCount(); ++p)
+    {
+      Polygon face;
+      for (const Vec3& corner : test::CornersOf(body, p))
+      {
+        face.Add(corner);
+      }
+      faces.push_back(face);
+      suspects.push_back({ cutter.AddOccluder(face, inside), true });
+    }
+    const Vec2 x(random.Next() - 0.5, random.Next() - 0.5);
+    LampCutter::Shadows shadows;
+    const auto seen = cutter.Seen(x, suspects, shadows);
+    ASSERT_TRUE(seen);
+    ASSERT_NEAR(*seen, PointToVisiblePolygon(Vec3(x, 0.0), Up, lamp, faces), 1e-11) << i;
+    cuts += shadows.Any() ? 1 : 0;
+  }
+  EXPECT_GT(cuts, 500);
 }
 
 TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)

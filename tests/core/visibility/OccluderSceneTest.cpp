@@ -1,6 +1,8 @@
 #include "core/visibility/OccluderScene.h"
 
+#include "core/mesh/DarkSides.h"
 #include "core/visibility/TestScenes.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -356,6 +358,29 @@ TEST(OccluderScene, TracingLeavesTheCallersArithmeticAlone)
   occluders.Intersect({ 0.5, 0.5, 0.5 }, { 1, 0, 0 });
   volatile double tiny = 1e-300;
   EXPECT_GT(tiny * 1e-10, 0.0);
+}
+
+TEST(OccluderScene, KnowsTheInsideOfAClosedBody)
+{
+  const Scene scene = test::MakeLitBox(); // with a block in it
+  const FacetSet facets = BuildFacets(scene);
+  const OccluderScene unaware(facets);
+  const OccluderScene aware(facets, FindDarkSides(facets, scene.materials));
+  int insides = 0;
+  for (std::uint32_t f = 0; f < aware.FacetCount(); ++f)
+  {
+    EXPECT_FALSE(unaware.InsideOf(f));
+    const auto inside = aware.InsideOf(f);
+    EXPECT_EQ(inside.has_value(), facets.facets[f].material == 4);
+    if (inside)
+    {
+      EXPECT_EQ(inside->side, Side::Back);
+      EXPECT_EQ(inside->body.Low(), Vec3(0.55, 0.5, 0.0));
+      EXPECT_EQ(inside->body.High(), Vec3(0.85, 0.8, 0.4));
+      ++insides;
+    }
+  }
+  EXPECT_EQ(insides, 6);
 }
 
 } // namespace
