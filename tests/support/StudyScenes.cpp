@@ -5,6 +5,7 @@
 #include "support/CornellBox.h"
 #include "support/RandomRoom.h"
 #include "support/SceneParts.h"
+#include "support/TestScenes.h"
 
 #include <glm/vector_relational.hpp>
 
@@ -66,6 +67,7 @@ const std::vector<Entry>& Entries()
     list.push_back(Single("gallery", MakeGallery));
     list.push_back(Single("unequal-lamps", MakeUnequalLamps));
     list.push_back(Single("lamp-hall", MakeLampHall));
+    list.push_back(Single("round-bodies", MakeRoundBodies));
     return list;
   }();
   return entries;
@@ -246,6 +248,39 @@ Scene MakeUnequalLamps()
   parts.AddDownward(Vec3(3.2, 2.3, 1.35), Vec2(0.01), parts.LampMaterial(Color(60000.0)));
   parts.AddDownward(Vec3(2.5, 2.0, 2.95), Vec2(3.0), parts.LampMaterial(Color(2.0)));
   parts.AddCamera("inside", Vec3(0.4, 0.5, 1.6), Vec3(4.0, 2.5, 0.7));
+  return parts.scene;
+}
+
+Scene MakeRoundBodies()
+{
+  SceneParts parts;
+  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
+  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
+    parts.SurfaceMaterial(Color(0.8)), wall);
+  AddBall(parts.scene, Vec3(3.4, 2.4, 0.6), 0.6, 32, parts.SurfaceMaterial(Color(0.7)));
+  AddBall(parts.scene, Vec3(2.3, 1.3, 0.4), 0.4, 24, parts.SurfaceMaterial({ 0.7, 0.2, 0.1 }));
+  AddBall(parts.scene, Vec3(2.0, 3.0, 2.2), 0.15, 6, parts.LampMaterial(Color(20.0)));
+  parts.AddDownward(Vec3(3.5, 1.5, 2.95), Vec2(0.8), parts.LampMaterial(Color(6.0)));
+  // Half a tube around the larger ball, open at both ends.
+  constexpr int Strips = 40;
+  const std::uint32_t screen = parts.SurfaceMaterial({ 0.3, 0.5, 0.6 });
+  const auto foot = [](int strip)
+  {
+    const double angle = Pi * (static_cast<double>(strip) / Strips - 0.25);
+    return Vec3(3.4 + std::cos(angle), 2.4 + std::sin(angle), 0.3);
+  };
+  for (int strip = 0; strip < Strips; ++strip)
+  {
+    const Vec3 height(0.0, 0.0, 0.3);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Vec3 low = static_cast<double>(k) * height;
+      parts.scene.AddPolygon({ foot(strip) + low, foot(strip + 1) + low,
+                               foot(strip + 1) + low + height, foot(strip) + low + height },
+        screen);
+    }
+  }
+  parts.AddCamera("inside", Vec3(0.4, 0.5, 1.6), Vec3(3.4, 2.4, 0.6));
   return parts.scene;
 }
 

@@ -52,6 +52,10 @@ Scene MakeGallery();
 /// A room with a table, a lamp of 1 cm over it and a ceiling panel of 3 x 3 m.
 Scene MakeUnequalLamps();
 
+/// A room with balls of 1,300 and 2,200 triangles, a bent screen of 160 quadrilaterals and, beside
+/// a ceiling panel, a globe of 120 triangles that shines.
+Scene MakeRoundBodies();
+
 /// A hall of 30 x 20 m with screens and blocks and 200 lamps whose powers lie two decades apart.
 Scene MakeLampHall();
 

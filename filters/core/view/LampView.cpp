@@ -22,6 +22,8 @@ constexpr double Touching = 1e-10;
 constexpr int SmallGroup = 32;
 constexpr int SmallGroupOfFewFacets = 64;
 constexpr std::size_t FewFacets = 2;
+/// To ask at each of so few whether an occluder is in the way is no more work than to ask for all.
+constexpr int FewSpots = 4;
 /// Groups of more spots are worth the thirteen values that a smooth fit takes.
 constexpr int LeastToFit = 24;
 constexpr int ShadowRays = 256;
@@ -183,6 +185,11 @@ bool LampView::Narrow(Group& group, const Search& search) const
   }
   const double tolerance = this->Occluders->Tolerance();
   const Polygon ground = this->ToWorld(bounds);
+  this->LookForBodies(group, search, ground);
+  if (group.last - group.first <= FewSpots)
+  {
+    return true;
+  }
   if (const auto shaft = Shaft(ground, this->ToWorld(this->Lamp), tolerance))
   {
     const auto isElsewhere = [&](const LampCutter::Suspect& suspect)
@@ -193,7 +200,6 @@ bool LampView::Narrow(Group& group, const Search& search) const
     group.suspects.erase(std::remove_if(group.suspects.begin(), group.suspects.end(), isElsewhere),
       group.suspects.end());
   }
-  this->LookForBodies(group, search, ground);
   return std::none_of(group.suspects.begin(), group.suspects.end(),
     [&](const LampCutter::Suspect& suspect)
     { return search.cutter.HidesAll(suspect.occluder, bounds); });
