@@ -170,10 +170,12 @@ void Flow::FindSpreads(
     }
     if (node.IsLeaf())
     {
-      this->Spreads[id] = node.IsCluster()
-                            ? SpreadOfCluster(tree.Geometry(id), Mean(this->Sources[id]),
-                                this->SourceRms[id], Mean(this->Received(id)))
-                            : Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
+      const double ofLinks = Mean(node.albedo) / Pi * (std::sqrt(variances[id]) + shadows[id]);
+      const double ofCluster = node.IsCluster()
+                                 ? SpreadOfCluster(tree.Geometry(id), Mean(this->Sources[id]),
+                                     this->SourceRms[id], Mean(this->Received(id)))
+                                 : 0.0;
+      this->Spreads[id] = std::hypot(ofLinks, ofCluster);
     }
   }
   this->PullUpSpreads(tree, matrix);

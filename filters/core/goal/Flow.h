@@ -48,8 +48,8 @@ public:
   /// Means over the nodes, weighted by area. \pre FindSpreads, but for leaves
   const Color& Value(OpenId id) const { return this->Values[id]; }
   /// Standard deviation of the mean channel over the node: between the leaves below, and within
-  /// them as the variation of their links tells. Of a leaf that is a cluster: all that it received,
-  /// and its source as SetSource() was told. \pre FindSpreads
+  /// them as the variation of their links tells, and, of clusters, SpreadOfCluster().
+  /// \pre FindSpreads
   double Spread(OpenId id) const { return this->Spreads[id]; }
 
   /// Of a leaf; `rms` is the root mean square of the mean channel over it: how unevenly it lies

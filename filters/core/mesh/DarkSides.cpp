@@ -23,6 +23,9 @@ constexpr double OutsideWinding = 0.25;
 constexpr double InsideWinding = 0.75;
 /// Sides of a shell that are looked at.
 constexpr std::ptrdiff_t SidesToTell = 8;
+/// Solid angles that are taken to find out whether lamps around a shell are outside of it: a
+/// second.
+constexpr std::ptrdiff_t MostWork = 20'000'000;
 
 double SignOf(PatchId patch)
 {
@@ -141,10 +144,7 @@ public:
   {
     return std::none_of(
              shell.begin(), shell.end(), [&](PatchId p) { return this->Lamps.Has(p); }) &&
-           this->EnclosesAir(shell) &&
-           !this->Lamps.AnyIn(this->BoundsOfShell(shell),
-             [&](PatchId lamp) { return this->MayLight(lamp, shell); }) &&
-           this->IsOneSpace(shell);
+           this->EnclosesAir(shell) && !this->MayHaveLamps(shell) && this->IsOneSpace(shell);
   }
 
   Bounds BoundsOfShell(const Shell& shell) const
@@ -188,6 +188,18 @@ private:
       sum += isSameFacet ? inFront : SignOf(side) * SolidAngle(this->Shape(side), point);
     }
     return sum / (4.0 * Pi);
+  }
+
+  /// Where that is too much to find out, it may.
+  bool MayHaveLamps(const Shell& shell) const
+  {
+    std::ptrdiff_t work = 0;
+    return this->Lamps.AnyIn(this->BoundsOfShell(shell),
+      [&](PatchId lamp)
+      {
+        work += shell.end() - shell.begin();
+        return work > MostWork || this->MayLight(lamp, shell);
+      });
   }
 
   bool MayLight(PatchId lamp, const Shell& shell) const

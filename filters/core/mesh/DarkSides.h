@@ -28,7 +28,8 @@ struct DarkSides
 /// winds (the signed solid angle of all its sides, over 4 pi), and one that may stick through it.
 /// Shells that wind around some of their own sides in another sense than around others, as broken
 /// models do, are not dark; some sides of each are looked at.
-/// O(n log n); a lamp whose bounding box meets that of a shell costs as much as that has sides.
+/// O(n log n); a lamp whose bounding box meets that of a shell costs as much as that has sides, up
+/// to some millions in all, and then the shell is not dark.
 DarkSides FindDarkSides(const FacetSet& facets, const std::vector<Material>& materials);
 
 } // namespace vantage

@@ -362,7 +362,13 @@ TEST(Flow, PartOfACurvedSurfaceSpreadsAsItBends)
   flow.Sweep(matrix, test::NoClosure(tree));
   flow.FindSpreads(tree, matrix, { link });
   ASSERT_GT(flow.Received(part).x, 0.0);
-  EXPECT_NEAR(flow.Spread(part), 0.5 * tree.Geometry(part).Bend() * flow.Received(part).x, 1e-12);
+  const double ofBend = 0.5 * tree.Geometry(part).Bend() * flow.Received(part).x;
+  EXPECT_NEAR(flow.Spread(part), ofBend, 1e-12);
+  // What its links vary by comes to that.
+  link.variation = 0.008;
+  flow.FindSpreads(tree, matrix, { link });
+  const double ofLink = 0.8 * flow.Received(part).x;
+  EXPECT_NEAR(flow.Spread(part), std::hypot(ofBend, ofLink), 1e-12);
 }
 
 TEST(Flow, NewNodesStartWithTheValueOfTheirParentAndClearForgets)
