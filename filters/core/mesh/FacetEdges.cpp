@@ -18,24 +18,26 @@ std::uint64_t HashOf(const Vec3& corner)
 
 } // namespace
 
-std::vector<FacetEdge> EdgesOf(const std::vector<Facet>& facets)
+std::vector<FacetEdge> EdgesOf(
+  std::uint32_t count, const std::function<PolygonView(std::uint32_t)>& shapeOf)
 {
-  const auto forEachEdge = [&facets](const auto& visit)
+  const auto forEachEdge = [&](const auto& visit)
   {
-    for (std::uint32_t f = 0; f < facets.size(); ++f)
+    for (std::uint32_t facet = 0; facet < count; ++facet)
     {
-      const TriangleOrQuadrilateral& shape = facets[f].shape;
-      const int count = shape.Size();
-      std::uint64_t before = HashOf(shape[count - 1]);
-      for (int i = 0; i < count; ++i)
+      const PolygonView shape = shapeOf(facet);
+      const int corners = shape.Size();
+      std::uint64_t before = HashOf(shape[corners - 1]);
+      for (int i = 0; i < corners; ++i)
       {
         const std::uint64_t here = HashOf(shape[i]);
-        visit(FacetEdge{ before + here, f, static_cast<std::uint32_t>((i + count - 1) % count) });
+        const auto start = static_cast<std::uint32_t>((i + corners - 1) % corners);
+        visit(FacetEdge{ before + here, facet, start });
         before = here;
       }
     }
   };
-  const std::size_t buckets = facets.size() / 16 + 1; // as many as the nearest memory has room for
+  const std::size_t buckets = count / 16 + 1; // as many as the nearest memory has room for
   return BucketSorted<FacetEdge>(
     buckets, forEachEdge,
     [buckets](const FacetEdge& edge)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// \file FacetEdges.h
@@ -20,9 +21,16 @@ struct FacetEdge
   std::uint32_t corner; ///< where it starts, counter-clockwise seen from the front
 };
 
-/// Those of the same edge follow each other, in the order of the facets. Different edges are told
-/// apart by 64 bits of hash. O(n).
-std::vector<FacetEdge> EdgesOf(const std::vector<Facet>& facets);
+/// Of `count` facets, of which `shapeOf` gives the shapes. Those of the same edge follow each
+/// other, in the order of the facets. Different edges are told apart by 64 bits of hash. O(count).
+std::vector<FacetEdge> EdgesOf(
+  std::uint32_t count, const std::function<PolygonView(std::uint32_t)>& shapeOf);
+
+inline std::vector<FacetEdge> EdgesOf(const std::vector<Facet>& facets)
+{
+  return EdgesOf(static_cast<std::uint32_t>(facets.size()),
+    [&facets](std::uint32_t facet) -> PolygonView { return facets[facet].shape; });
+}
 
 /// Calls `action` with the first and the end of those that have the same edge, for each edge.
 template <typename Action>

@@ -2,14 +2,13 @@
 
 #include "core/math/Box.h"
 #include "core/mesh/DisjointSets.h"
-#include "core/mesh/Numbering.h"
+#include "core/mesh/FacetEdges.h"
 #include "core/view/PatchFrame.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace vantage
 {
@@ -95,41 +94,6 @@ std::vector<std::uint32_t> JoinPlanes(
   return first;
 }
 
-/// Pairs of patches that have an edge in common.
-std::vector<std::array<std::uint32_t, 2>> NeighboursAmong(const std::vector<SpotPatch>& patches)
-{
-  struct Edge
-  {
-    std::array<std::uint32_t, 2> ends;
-    std::uint32_t patch;
-  };
-  std::vector<Edge> edges;
-  Numbering<Vec3, HashOfPoint> corners(4 * patches.size());
-  for (std::uint32_t i = 0; i < patches.size(); ++i)
-  {
-    const Polygon& shape = patches[i].shape;
-    std::uint32_t last = corners.Of(shape[shape.Size() - 1] + Vec3(0.0));
-    for (const Vec3& corner : shape)
-    {
-      const std::uint32_t here = corners.Of(corner + Vec3(0.0)); // there is one zero only
-      edges.push_back({ { std::min(last, here), std::max(last, here) }, i });
-      last = here;
-    }
-  }
-  std::sort(edges.begin(), edges.end(),
-    [](const Edge& a, const Edge& b)
-    { return std::tie(a.ends, a.patch) < std::tie(b.ends, b.patch); });
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::size_t k = 1; k < edges.size(); ++k)
-  {
-    if (edges[k].ends == edges[k - 1].ends)
-    {
-      pairs.push_back({ edges[k - 1].patch, edges[k].patch });
-    }
-  }
-  return pairs;
-}
-
 /// Joins planes with few spots that follow each other smoothly, as the triangles of a ball do: what
 /// falls onto them varies as it does on the ball. For each patch the first one of its plane, or of
 /// the plane that those around it are seen from.
@@ -139,7 +103,7 @@ std::vector<std::uint32_t> JoinSmoothly(const std::vector<SpotPatch>& patches,
   std::vector<std::vector<std::uint32_t>> neighbours(patches.size());
   const auto cosine = [&](std::uint32_t a, std::uint32_t b)
   { return glm::dot(patches[a].plane.normal, patches[b].plane.normal); };
-  for (const auto& [first, second] : NeighboursAmong(patches))
+  const auto meet = [&](std::uint32_t first, std::uint32_t second)
   {
     const std::uint32_t a = planeOf[first];
     const std::uint32_t b = planeOf[second];
@@ -148,7 +112,17 @@ std::vector<std::uint32_t> JoinSmoothly(const std::vector<SpotPatch>& patches,
       neighbours[a].push_back(b);
       neighbours[b].push_back(a);
     }
-  }
+  };
+  const std::vector<FacetEdge> edges = EdgesOf(static_cast<std::uint32_t>(patches.size()),
+    [&](std::uint32_t i) -> PolygonView { return patches[i].shape; });
+  ForEachEdge(edges,
+    [&](auto first, const auto last)
+    {
+      for (auto next = first + 1; next != last; first = next++)
+      {
+        meet(first->facet, next->facet);
+      }
+    });
   std::vector<std::uint32_t> surfaceOf(patches.size(), None);
   std::vector<std::uint32_t> open;
   for (std::uint32_t seed = 0; seed < patches.size(); ++seed)

@@ -17,18 +17,7 @@ std::vector<int> SizesOfSurfaces(const Scene& scene)
 {
   const FacetSet facets = BuildFacets(scene);
   const ElementTree tree(facets, scene.materials);
-  std::map<PatchId, int> sizes;
-  for (const PatchId surface : CurvedSurfacesOf(facets, EdgesOf(facets.facets), tree.Patches()))
-  {
-    ++sizes[surface];
-  }
-  std::vector<int> sorted;
-  for (const auto& [surface, size] : sizes)
-  {
-    sorted.push_back(size);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
+  return test::SizesOf(CurvedSurfacesOf(facets, EdgesOf(facets.facets), tree.Patches()));
 }
 
 using Sizes = std::vector<int>;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <vector>
@@ -127,6 +128,23 @@ inline std::vector<Vec3> RandomStar(RandomStream& random, int corners, double le
       centre + frame.ToWorld({ radius * std::cos(angle), radius * std::sin(angle), 0.0 }));
   }
   return points;
+}
+
+/// How often each number comes up, ascending: the sizes of what is numbered.
+inline std::vector<int> SizesOf(const std::vector<std::uint32_t>& numbers)
+{
+  std::map<std::uint32_t, int> counts;
+  for (const std::uint32_t number : numbers)
+  {
+    ++counts[number];
+  }
+  std::vector<int> sizes;
+  for (const auto& [number, count] : counts)
+  {
+    sizes.push_back(count);
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
 }
 
 template <typename T>

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 namespace vantage
 {
 namespace
@@ -15,18 +13,7 @@ namespace
 std::vector<int> SizesOfShells(const Scene& scene)
 {
   const FacetSet facets = BuildFacets(scene);
-  std::map<PatchId, int> sizes;
-  for (const PatchId shell : ShellsOf(facets, EdgesOf(facets.facets)))
-  {
-    ++sizes[shell];
-  }
-  std::vector<int> sorted;
-  for (const auto& [shell, size] : sizes)
-  {
-    sorted.push_back(size);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
+  return test::SizesOf(ShellsOf(facets, EdgesOf(facets.facets)));
 }
 
 using Sizes = std::vector<int>;
