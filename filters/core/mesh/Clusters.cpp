@@ -255,27 +255,28 @@ void ClusterMaker::Append(const ClusterRange& range, NodeId parent, Order order)
 
 void ClusterMaker::Reorder(Range& range)
 {
-  const auto has = [&range](SurfaceOfItem surface,
-                     bool (*what)(const ClusterItem*, const ClusterItem*, SurfaceOfItem))
-  { return what(range.first, range.last, surface); };
+  const auto hasFew = [&range](SurfaceOfItem surface)
+  { return HasFewCutSurfaces(range.first, range.last, surface); };
+  const auto isOne = [&range](SurfaceOfItem surface)
+  { return IsOneSurface(range.first, range.last, surface); };
   const Order before = range.order;
-  if (range.order == Order::Patches && has(&ClusterItem::curved, HasFewCutSurfaces))
+  if (range.order == Order::Patches && hasFew(&ClusterItem::curved))
   {
     this->SortBySurface(range, &ClusterItem::curved);
     range.order = Order::CurvedSurfaces;
   }
-  if (range.order == Order::CurvedSurfaces && has(&ClusterItem::curved, IsOneSurface))
+  if (range.order == Order::CurvedSurfaces && isOne(&ClusterItem::curved))
   {
     this->SortByPatch(range);
     range.order = Order::WithinCurved;
   }
   if (range.order == Order::WithinCurved &&
-      (has(&ClusterItem::surface, HasFewCutSurfaces) || has(&ClusterItem::surface, IsOneSurface)))
+      (hasFew(&ClusterItem::surface) || isOne(&ClusterItem::surface)))
   {
     this->SortBySurface(range, &ClusterItem::surface);
     range.order = Order::Surfaces;
   }
-  if (range.order == Order::Surfaces && has(&ClusterItem::surface, IsOneSurface))
+  if (range.order == Order::Surfaces && isOne(&ClusterItem::surface))
   {
     this->SortWithinSurface(range);
     range.order = Order::WithinSurface;

@@ -33,7 +33,7 @@ LampCutter::LampCutter(const Polygon& lamp)
   this->Sliver = LargestSliver * Area(this->Lamp);
 }
 
-std::uint32_t LampCutter::AddOccluder(const Polygon& shape, Inside inside)
+std::uint32_t LampCutter::AddOccluder(const Polygon& shape, std::optional<Side> inside)
 {
   const Vec3 normal = AreaNormal(shape);
   const auto first = static_cast<std::uint32_t>(this->Edges.size());
@@ -99,8 +99,7 @@ std::optional<double> LampCutter::Seen(
 /// Whether the side that x sees is the inside of a body.
 bool LampCutter::IsInside(const Occluder& occluder, const Vec2& x)
 {
-  return occluder.inside != Inside::None &&
-         (occluder.side.At(x) > 0.0) == (occluder.inside == Inside::Front);
+  return occluder.inside == (occluder.side.At(x) > 0.0 ? Side::Front : Side::Back);
 }
 
 /// How much of the lamp is inside of an edge as x sees it. \param sign of the side of the occluder

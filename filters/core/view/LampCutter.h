@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/Facets.h"
 #include "core/view/LampKernel.h"
 
 #include <array>
@@ -23,17 +24,10 @@ public:
   /// \param lamp above the plane, with an area
   explicit LampCutter(const Polygon& lamp);
 
-  /// Which side of an occluder is the inside of a closed body, if one is.
-  enum class Inside
-  {
-    None,
-    Front,
-    Back
-  };
-
   /// \param shape above the plane and in front of the lamp, with an area
+  /// \param inside the side that is the inside of a closed body, if one is
   /// \return its number, from 0
-  std::uint32_t AddOccluder(const Polygon& shape, Inside inside = Inside::None);
+  std::uint32_t AddOccluder(const Polygon& shape, std::optional<Side> inside = {});
 
   /// Whether the occluder hides all of the lamp from all of a convex polygon in the plane.
   bool HidesAll(std::uint32_t occluder, const Polygon& points) const;
@@ -102,7 +96,7 @@ private:
   {
     Affine side; ///< of its plane that x is on, by the sign
     std::uint32_t firstEdge, lastEdge;
-    Inside inside;
+    std::optional<Side> inside;
   };
   enum class Cover
   {

@@ -161,10 +161,7 @@ LampView::Search LampView::SearchAround(const Group& all, double tolerance) cons
       const auto inside = this->Occluders->InsideOf(facet);
       search.facets.push_back(facet);
       search.insides.push_back(inside);
-      search.cutter.AddOccluder(between,
-        !inside
-          ? LampCutter::Inside::None
-          : (inside->side == Side::Front ? LampCutter::Inside::Front : LampCutter::Inside::Back));
+      search.cutter.AddOccluder(between, inside ? std::optional(inside->side) : std::nullopt);
     }
   }
   return search;

@@ -26,6 +26,12 @@ Scene LitRoom()
   return scene;
 }
 
+/// A box with its fronts outside.
+void AddBody(Scene& scene, const Vec3& low, const Vec3& size)
+{
+  test::AddBox(scene, low, low + size, false, { Body, Body, Body, Body, Body, Body });
+}
+
 struct Counted
 {
   int walls = 0; ///< dark sides of facets with this material
@@ -59,7 +65,7 @@ TEST(DarkSides, AClosedBodyIsDarkInside)
 {
   Scene scene = LitRoom();
   ExpectDarkBodies(scene, 0);
-  test::AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 }, Body);
+  AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 });
   ExpectDarkBodies(scene, 6);
   test::AddBall(scene, { 1, 1, 1 }, 0.5, 8, Body);
   ExpectDarkBodies(scene, 6 + 224);
@@ -76,7 +82,7 @@ TEST(DarkSides, OrientationDoesNotCount)
 TEST(DarkSides, AHoleLetsLightIn)
 {
   Scene scene = LitRoom();
-  test::AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 }, Body);
+  AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 });
   scene.offsets.pop_back();
   scene.materialOfPolygon.pop_back();
   scene.indices.resize(scene.offsets.back());
@@ -86,7 +92,7 @@ TEST(DarkSides, AHoleLetsLightIn)
 TEST(DarkSides, ABodyMayStandOnTheFloor)
 {
   Scene scene = LitRoom();
-  test::AddBody(scene, { 2, 1, 0 }, { 1, 1, 1 }, Body);
+  AddBody(scene, { 2, 1, 0 }, { 1, 1, 1 });
   ExpectDarkBodies(scene, 6);
 }
 
@@ -95,7 +101,7 @@ TEST(DarkSides, ALampInsideLightsABody)
   const auto bodyWith = [](const Vec3& corner, const Vec3& u, const Vec3& v)
   {
     Scene scene = LitRoom();
-    test::AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 }, Body);
+    AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 });
     test::AddQuad(scene, corner, u, v, Lamp);
     return scene;
   };
@@ -133,7 +139,7 @@ TEST(DarkSides, ALampWithinAFrameIsOutsideOfIt)
 TEST(DarkSides, ALuminousFaceDoesNotLightItsBody)
 {
   Scene scene = LitRoom();
-  test::AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 }, Body);
+  AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 });
   scene.materialOfPolygon.back() = Lamp;
   const Counted outwards = CountDark(scene);
   EXPECT_EQ(outwards.bodies, 5);
@@ -146,7 +152,7 @@ TEST(DarkSides, WithoutALampNothingIsLeftOut)
 {
   Scene scene = LitRoom();
   scene.materials[Lamp].emission = Color(0.0);
-  test::AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 }, Body);
+  AddBody(scene, { 2, 1, 0.1 }, { 1, 1, 1 });
   ExpectDarkBodies(scene, 0);
 }
 

@@ -46,21 +46,6 @@ inline void AddRoom(Scene& scene, const Vec3& low, const Vec3& size, std::uint32
   AddQuad(scene, low + y, x, z, material);
 }
 
-/// The same with their fronts outside.
-inline void AddBody(Scene& scene, const Vec3& low, const Vec3& size, std::uint32_t material = 0)
-{
-  Scene room;
-  AddRoom(room, low, size, material);
-  for (std::size_t p = 0; p < room.PolygonCount(); ++p)
-  {
-    const auto first = room.indices.begin() + room.offsets[p];
-    std::vector<Vec3> points;
-    std::transform(first, room.indices.begin() + room.offsets[p + 1], std::back_inserter(points),
-      [&room](std::uint32_t i) { return room.vertices[i]; });
-    scene.AddPolygon({ points.rbegin(), points.rend() }, material);
-  }
-}
-
 inline Scene OneRoom(bool twoSided = true)
 {
   Scene scene;

@@ -135,7 +135,7 @@ TEST(LampCutter, FromOutsideABodyCastsItsShadowByHalfOfItsFaces)
     const Vec3 half = 0.02 + 0.2 * Vec3(random.Next(), random.Next(), random.Next());
     Scene body;
     test::AddBox(body, centre - half, centre + half, i % 2 == 0, { 0, 0, 0, 0, 0, 0 });
-    const auto inside = i % 2 == 0 ? LampCutter::Inside::Front : LampCutter::Inside::Back;
+    const auto inside = i % 2 == 0 ? Side::Front : Side::Back;
     LampCutter cutter(lamp);
     std::vector<Polygon> faces;
     std::vector<LampCutter::Suspect> suspects;
