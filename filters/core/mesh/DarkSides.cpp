@@ -60,19 +60,37 @@ double SolidAngle(PolygonView shape, const Vec3& eye)
   return sum;
 }
 
-/// Whether corners lie on both sides of the other one's plane.
-bool Straddles(PolygonView shape, PolygonView other, double tolerance)
+bool Contains(PolygonView shape, const Vec3& normal, const Vec3& placeInPlane)
+{
+  for (int i = 0; i < shape.Size(); ++i)
+  {
+    const Vec3 along = shape[(i + 1) % shape.Size()] - shape[i];
+    if (glm::dot(glm::cross(along, placeInPlane - shape[i]), normal) < 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether an edge passes through the other one, from one side of its plane to the other.
+bool PassesThrough(PolygonView shape, PolygonView other, double tolerance)
 {
   const Vec3 normal = UnitNormal(other);
-  double least = 0.0;
-  double most = 0.0;
-  for (const Vec3& corner : shape)
+  for (int i = 0; i < shape.Size(); ++i)
   {
-    const double distance = glm::dot(normal, corner - other[0]);
-    least = std::min(least, distance);
-    most = std::max(most, distance);
+    const Vec3& from = shape[i];
+    const Vec3& to = shape[(i + 1) % shape.Size()];
+    const double before = glm::dot(normal, from - other[0]);
+    const double after = glm::dot(normal, to - other[0]);
+    const bool isThrough =
+      std::min(before, after) < -tolerance && std::max(before, after) > tolerance;
+    if (isThrough && Contains(other, normal, from + before / (before - after) * (to - from)))
+    {
+      return true;
+    }
   }
-  return least < -tolerance && most > tolerance;
+  return false;
 }
 
 /// The lamps of a scene, to be found by where they are.
@@ -209,8 +227,8 @@ private:
     const auto isCrossed = [&](PatchId side)
     {
       const PolygonView other = this->Shape(side);
-      return BoundsOf(other).Meets(bounds) && Straddles(shape, other, this->Tolerance) &&
-             Straddles(other, shape, this->Tolerance);
+      return BoundsOf(other).Meets(bounds) && (PassesThrough(shape, other, this->Tolerance) ||
+                                                PassesThrough(other, shape, this->Tolerance));
     };
     return std::abs(this->Winding(shell, lamp)) > OutsideWinding ||
            std::any_of(shell.begin(), shell.end(), isCrossed);

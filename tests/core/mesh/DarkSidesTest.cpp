@@ -148,6 +148,18 @@ TEST(DarkSides, ALuminousFaceDoesNotLightItsBody)
   ExpectDarkBodies(scene, 0);
 }
 
+/// Coordinates are rounded in files, so that facets in one plane are bent a little.
+TEST(DarkSides, ARoundedGlobeDoesNotLightItsInside)
+{
+  Scene scene = LitRoom();
+  test::AddBall(scene, { 1.0, 1.0, 1.3 }, 0.2, 12, Lamp);
+  for (Vec3& point : scene.vertices)
+  {
+    point = glm::round(point * 1e5) * 1e-5;
+  }
+  EXPECT_EQ(CountDark(scene).lamps, 528);
+}
+
 TEST(DarkSides, WithoutALampNothingIsLeftOut)
 {
   Scene scene = LitRoom();
