@@ -49,43 +49,40 @@ std::vector<Color> DirectLight::OfNamed(PatchId patch, const std::vector<Vec3>& 
   {
     return irradiance;
   }
-  const RadianceSolution& solution = *this->Solution;
   const PatchFrame frame(ShapeOf(*this->Occluders, patch));
   std::vector<Vec2> places(points.size());
-  std::vector<PatchId> lamps;
+  NamedLamps::List lamps;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     places[i] = frame.InPlane(points[i]);
-    const auto& leaf = solution.elements[leaves[i]];
     if (i == 0 || leaves[i] != leaves[i - 1])
     {
-      lamps.insert(lamps.end(), solution.lamps.begin() + leaf.firstLamp,
-        solution.lamps.begin() + leaf.lastLamp);
+      const NamedLamps::List& ofLeaf = this->Lamps.Of(leaves[i]);
+      lamps.insert(lamps.end(), ofLeaf.begin(), ofLeaf.end());
     }
   }
   std::sort(lamps.begin(), lamps.end());
   lamps.erase(std::unique(lamps.begin(), lamps.end()), lamps.end());
   std::vector<LampSpot> spots;
   std::vector<double> factors(points.size());
-  for (const PatchId lamp : lamps)
+  for (const std::uint32_t lamp : lamps)
   {
     spots.clear();
     for (std::uint32_t i = 0; i < points.size(); ++i)
     {
-      const auto& leaf = solution.elements[leaves[i]];
-      if (std::binary_search(
-            solution.lamps.begin() + leaf.firstLamp, solution.lamps.begin() + leaf.lastLamp, lamp))
+      const NamedLamps::List& ofLeaf = this->Lamps.Of(leaves[i]);
+      if (std::binary_search(ofLeaf.begin(), ofLeaf.end(), lamp))
       {
         spots.push_back({ places[i], i });
       }
     }
-    const LampView view(
-      *this->Occluders, patch / 2, frame, lamp / 2, ShapeOf(*this->Occluders, lamp));
+    const NamedLamp& named = this->Lamps[lamp];
+    const LampView view(*this->Occluders, patch / 2, frame, named);
     counters.Add(
       view.Look(spots.data(), spots.data() + spots.size(), this->Tolerance, factors.data()));
     for (const LampSpot& spot : spots)
     {
-      irradiance[spot.index] += factors[spot.index] * solution.emission[lamp];
+      irradiance[spot.index] += factors[spot.index] * named.emission;
     }
   }
   return irradiance;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/transport/RadianceSolution.h"
-#include "core/visibility/OccluderScene.h"
+#include "core/view/NamedLamps.h"
 
 #include <cstdint>
 #include <vector>
@@ -28,13 +27,15 @@ struct DirectCounters
   }
 };
 
-/// Irradiance from the lamps that the elements of a solution name, without noise: a group of points
-/// of one patch and a lamp have few facets in between; without any, Lambert's formula holds, and
-/// the shadows of a few are cut out of the lamp at each point. Groups are halved until one or the
+/// Irradiance from the lamps that the elements of a solution name, without noise. A lamp that was
+/// cut into facets is one (NamedLamps.h). A group of points of one patch and a lamp have few facets
+/// in between; without any, Lambert's formula holds, and the shadows of a few are cut out of the
+/// lamp at each point. Groups are halved until one or the
 /// other applies, or, if there is a tolerance, until a smooth fit to a few places does
-/// (SmoothFit.h): penumbrae are smooth. Where facets leave so many parts of a lamp that rays are
-/// quicker (LampCutter.h), shadow rays decide; the relative error is then about 0.2 %. Refers to
-/// occluders and solution, which must outlive it. Safe to use from many threads.
+/// (SmoothFit.h): penumbrae are smooth, and so is what a lamp of many facets gives. Where facets
+/// leave so many parts of a lamp that rays are quicker (LampCutter.h), shadow rays decide; the
+/// relative error is then about 0.2 %. Refers to occluders and solution, which must outlive it.
+/// Safe to use from many threads.
 class DirectLight
 {
 public:
@@ -44,6 +45,7 @@ public:
     const OccluderScene& occluders, const RadianceSolution& solution, double tolerance = 0.0)
     : Occluders(&occluders)
     , Solution(&solution)
+    , Lamps(occluders, solution)
     , Tolerance(tolerance)
   {
   }
@@ -66,6 +68,7 @@ private:
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
+  NamedLamps Lamps;
   double Tolerance;
 };
 

@@ -1,6 +1,6 @@
 #include "core/view/LampCutter.h"
 
-#include "core/view/PatchFrame.h"
+#include "core/mesh/Bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,76 +13,119 @@ namespace
 
 /// Parts that are cut by a shadow, in all: they take about twice the time of two hundred rays.
 constexpr std::size_t MostEffort = 4000;
-/// Of the lamp: what rounding leaves between shadows of neighbours.
+/// Of a face: what rounding leaves between shadows of neighbours.
 constexpr double LargestSliver = 1e-12;
+/// What is nearer to a plane than this touches it.
+constexpr double Touching = 1e-10;
 
 } // namespace
 
-LampCutter::LampCutter(const Polygon& lamp)
-  : Kernel(lamp)
-  , Shape(lamp)
+LampCutter::LampCutter(const LampSurface& lamp)
+  : Lamp(&lamp)
 {
-  const PatchFrame frame(lamp);
-  this->Origin = frame.origin;
-  this->A = frame.x;
-  this->B = frame.y;
-  for (const Vec3& v : lamp)
+  this->FindHull();
+  if (lamp.Size() == 1)
   {
-    this->Lamp.corners[this->Lamp.count++] = frame.InPlane(v);
+    this->Only.emplace(lamp.Face(0), lamp.PlaneOf(0));
   }
-  this->Sliver = LargestSliver * Area(this->Lamp);
+}
+
+/// The box around many faces has few corners.
+void LampCutter::FindHull()
+{
+  this->Hull = this->Lamp->Corners();
+  if (this->Lamp->Size() == 1)
+  {
+    return;
+  }
+  Bounds box;
+  for (const Vec3& corner : this->Lamp->Corners())
+  {
+    box.Add(corner);
+  }
+  this->Hull.clear();
+  for (int k = 0; k < 8; ++k)
+  {
+    const auto choose = [&](int axis)
+    { return (k >> axis & 1) != 0 ? box.High()[axis] : box.Low()[axis]; };
+    this->Hull.emplace_back(choose(0), choose(1), choose(2));
+  }
 }
 
 std::uint32_t LampCutter::AddOccluder(const Polygon& shape, std::optional<Side> inside)
 {
-  const Vec3 normal = AreaNormal(shape);
+  const Plane plane = SupportingPlane(shape);
   const auto first = static_cast<std::uint32_t>(this->Edges.size());
-  this->Occluders.push_back(
-    { { -glm::dot(normal, shape[0]), normal.x, normal.y }, first, first + shape.Size(), inside });
+  this->Occluders.push_back({ plane, { -plane.offset, plane.normal.x, plane.normal.y },
+    this->LampBeyond(plane), first, first + shape.Size(), inside });
   for (int i = 0; i < shape.Size(); ++i)
   {
     // The normal of the plane through x and the edge, n(x) = moment - along x x, towards a place
     // y: dot(n(x), y - x), of which the products with x alone are linear as well.
     const Vec3 along = shape[(i + 1) % shape.Size()] - shape[i];
     const Vec3 moment = glm::cross(along, shape[i]);
-    const auto towards = [&](const Vec3& v)
+    this->Edges.push_back({ along, moment });
+    for (const Vec3& v : this->Hull)
     {
-      return Affine{ glm::dot(moment, v), along.y * v.z - along.z * v.y,
-        along.z * v.x - along.x * v.z };
-    };
-    const auto height = [&](const Vec3& place)
-    {
-      const Affine d = towards(place);
-      return Affine{ d.constant, d.x - moment.x, d.y - moment.y };
-    };
-    this->Edges.push_back({ towards(this->A), towards(this->B), height(this->Origin) });
-    for (const Vec3& corner : this->Shape)
-    {
-      this->CornerHeights.push_back(height(corner));
+      this->HullHeights.push_back({ glm::dot(moment, v), along.y * v.z - along.z * v.y - moment.x,
+        along.z * v.x - along.x * v.z - moment.y });
     }
   }
   return static_cast<std::uint32_t>(this->Occluders.size() - 1);
 }
 
-/// The segments from the points to the lamp meet the plane of the occluder within the convex hull
-/// of those between corners, so these decide.
-bool LampCutter::HidesAll(std::uint32_t occluder, const Polygon& points) const
+/// How much of the lamp is beyond a plane for points above it, and below.
+std::array<LampCutter::Cover, 2> LampCutter::LampBeyond(const Plane& plane) const
 {
-  Shadow shadow;
-  return std::all_of(points.begin(), points.end(),
-    [&](const Vec3& x)
-    { return this->Cast(this->Occluders[occluder], x, shadow) == Cover::Whole; });
+  if (this->Lamp->IsFlat())
+  {
+    return { Cover::Whole, Cover::Whole }; // what is in front of the lamp has it beyond
+  }
+  double low = 0.0;
+  double high = 0.0;
+  for (const Vec3& corner : this->Lamp->Corners())
+  {
+    low = std::min(low, plane.Distance(corner));
+    high = std::max(high, plane.Distance(corner));
+  }
+  const bool anyAbove = high > Touching;
+  const bool anyBelow = low < -Touching;
+  const auto cover = [](bool anyBeyond, bool anyBefore)
+  { return anyBeyond ? (anyBefore ? Cover::Part : Cover::Whole) : Cover::None; };
+  return { cover(anyBelow, anyAbove), cover(anyAbove, anyBelow) };
+}
+
+/// The segments from points on one side of the occluder to the lamp meet its plane within the
+/// convex hull of those between corners, so these decide.
+bool LampCutter::HidesAll(std::uint32_t index, const Polygon& points) const
+{
+  const Occluder& occluder = this->Occluders[index];
+  return this->CommonSide(occluder, points) != 0.0 &&
+         std::all_of(points.begin(), points.end(),
+           [&](const Vec3& x) { return this->HidesAllFrom(occluder, x); });
+}
+
+bool LampCutter::HidesAllFrom(const Occluder& occluder, const Vec2& x) const
+{
+  const double side = occluder.side.At(x);
+  bool hides = side != 0.0 && occluder.beyond[side < 0.0 ? 1 : 0] == Cover::Whole;
+  for (std::uint32_t e = occluder.firstEdge; hides && e < occluder.lastEdge; ++e)
+  {
+    hides = this->HullBehind(e, side, x) == Cover::Whole;
+  }
+  return hides;
 }
 
 std::optional<double> LampCutter::Seen(
   const Vec2& x, const std::vector<Suspect>& suspects, Shadows& shadows) const
 {
   shadows.All.clear();
-  Shadow shadow;
+  shadows.Sides.clear();
   for (const Suspect& suspect : suspects)
   {
     const Occluder& occluder = this->Occluders[suspect.occluder];
-    const Cover cover = this->Cast(occluder, x, shadow);
+    const auto first = static_cast<std::uint32_t>(shadows.Sides.size());
+    const Cover cover = this->Cast(occluder, x, shadows);
     if (cover == Cover::Whole)
     {
       shadows.All.clear();
@@ -90,10 +133,14 @@ std::optional<double> LampCutter::Seen(
     }
     if (cover == Cover::Part && !(suspect.isSeenFromOutside && IsInside(occluder, x)))
     {
-      shadows.All.push_back(shadow);
+      shadows.All.push_back({ first, static_cast<std::uint32_t>(shadows.Sides.size()) });
+    }
+    else
+    {
+      shadows.Sides.resize(first);
     }
   }
-  return shadows.All.empty() ? this->Kernel.At(x) : this->SeenPast(shadows, x);
+  return shadows.All.empty() ? this->Lamp->At(x, shadows.Room) : this->SeenOfFaces(shadows, x);
 }
 
 /// Whether the side that x sees is the inside of a body.
@@ -102,14 +149,23 @@ bool LampCutter::IsInside(const Occluder& occluder, const Vec2& x)
   return occluder.inside == (occluder.side.At(x) > 0.0 ? Side::Front : Side::Back);
 }
 
-/// How much of the lamp is inside of an edge as x sees it. \param sign of the side of the occluder
-/// that x is on
-LampCutter::Cover LampCutter::CoverBehind(std::uint32_t edge, double sign, const Vec2& x) const
+/// What is inside of an edge as x sees it. \param sign of the side of the occluder that x is on
+LampSurface::HalfSpace LampCutter::SideBehind(const Edge& edge, double sign, const Vec2& x)
 {
-  const Affine* height = &this->CornerHeights[edge * this->Lamp.count];
+  const Vec3& along = edge.along;
+  const Vec3& moment = edge.moment;
+  const Vec3 normal(
+    moment.x + along.z * x.y, moment.y - along.z * x.x, moment.z - along.x * x.y + along.y * x.x);
+  return { sign * normal, -sign * (moment.x * x.x + moment.y * x.y) };
+}
+
+/// How much of the hull is inside of an edge.
+LampCutter::Cover LampCutter::HullBehind(std::uint32_t edge, double sign, const Vec2& x) const
+{
+  const Affine* height = &this->HullHeights[edge * this->Hull.size()];
   bool anyInside = false;
   bool anyOutside = false;
-  for (int k = 0; k < this->Lamp.count; ++k)
+  for (std::size_t k = 0; k < this->Hull.size(); ++k)
   {
     const double d = sign * height[k].At(x);
     anyInside = anyInside || d > 0.0;
@@ -118,31 +174,59 @@ LampCutter::Cover LampCutter::CoverBehind(std::uint32_t edge, double sign, const
   return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
 }
 
-/// The cone from x through the occluder, as lines in the plane of the lamp.
-LampCutter::Cover LampCutter::Cast(const Occluder& occluder, const Vec2& x, Shadow& shadow) const
+/// How much of the lamp itself is.
+LampCutter::Cover LampCutter::LampBehind(std::uint32_t edge, double sign, const Vec2& x) const
 {
-  shadow.count = 0;
+  if (this->Lamp->Size() == 1)
+  {
+    return this->HullBehind(edge, sign, x);
+  }
+  const LampSurface::HalfSpace side = SideBehind(this->Edges[edge], sign, x);
+  bool anyInside = false;
+  bool anyOutside = false;
+  for (const Vec3& corner : this->Lamp->Corners())
+  {
+    const double d = glm::dot(side.normal, corner) + side.offset;
+    anyInside = anyInside || d > 0.0;
+    anyOutside = anyOutside || d < 0.0;
+  }
+  return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
+}
+
+/// The cone from x through the occluder, as far as it is beyond that. Appends its sides.
+LampCutter::Cover LampCutter::Cast(const Occluder& occluder, const Vec2& x, Shadows& shadows) const
+{
   const double side = occluder.side.At(x);
   if (side == 0.0)
   {
     return Cover::None; // seen edge-on
   }
   const double sign = side < 0.0 ? -1.0 : 1.0;
+  const Cover beyond = occluder.beyond[side < 0.0 ? 1 : 0];
+  if (beyond == Cover::None)
+  {
+    return Cover::None;
+  }
+  Cover all = beyond;
   for (std::uint32_t e = occluder.firstEdge; e < occluder.lastEdge; ++e)
   {
-    const Cover cover = this->CoverBehind(e, sign, x);
+    const Cover cover = this->HullBehind(e, sign, x);
     if (cover == Cover::None)
     {
       return Cover::None;
     }
     if (cover == Cover::Part)
     {
-      const Edge& edge = this->Edges[e];
-      shadow.sides[shadow.count++] = { { sign * edge.towardsA.At(x), sign * edge.towardsB.At(x) },
-        sign * edge.height.At(x) };
+      all = Cover::Part;
+      shadows.Sides.push_back(SideBehind(this->Edges[e], sign, x));
     }
   }
-  return shadow.count == 0 ? Cover::Whole : Cover::Part;
+  if (beyond == Cover::Part)
+  {
+    const Plane& plane = occluder.plane;
+    shadows.Sides.push_back({ -sign * plane.normal, sign * plane.offset });
+  }
+  return all;
 }
 
 /// The side of the occluder that all points are on: 1 or -1, or 0 when they are not on one side.
@@ -173,7 +257,7 @@ bool LampCutter::IsSharp(std::uint32_t index, const Polygon& points) const
     bool anyWhole = false;
     for (const Vec3& x : points)
     {
-      const Cover cover = this->CoverBehind(e, side, x);
+      const Cover cover = this->LampBehind(e, side, x);
       anyNone = anyNone || cover == Cover::None;
       anyWhole = anyWhole || cover == Cover::Whole;
     }
@@ -218,21 +302,52 @@ double LampCutter::Area(const Flat& part)
   return 0.5 * std::abs(twice);
 }
 
+LampCutter::Face::Face(const Polygon& shape, const Plane& plane)
+{
+  const Vec3 steep = glm::abs(plane.normal);
+  this->w = steep.x >= std::max(steep.y, steep.z) ? 0 : (steep.y >= steep.z ? 1 : 2);
+  this->u = (this->w + 1) % 3;
+  this->v = (this->w + 2) % 3;
+  const double perW = 1.0 / plane.normal[this->w];
+  this->perU = -plane.normal[this->u] * perW;
+  this->perV = -plane.normal[this->v] * perW;
+  this->constant = plane.offset * perW;
+  for (const Vec3& corner : shape)
+  {
+    this->outline.corners[this->outline.count++] = { corner[this->u], corner[this->v] };
+  }
+  this->sliver = LargestSliver * Area(this->outline);
+}
+
+LampCutter::FlatShadow LampCutter::Shadows::OnFace(const Face& face, const Shadow& shadow) const
+{
+  FlatShadow flat;
+  for (std::uint32_t s = shadow.firstSide; s < shadow.lastSide; ++s)
+  {
+    const auto& [normal, offset] = this->Sides[s];
+    const double ofW = normal[face.w];
+    flat.sides[flat.count++] = { { normal[face.u] + ofW * face.perU,
+                                   normal[face.v] + ofW * face.perV },
+      offset + ofW * face.constant };
+  }
+  return flat;
+}
+
 /// What a shadow leaves of a part: all of it, or nothing, or what is outside of each side in turn.
 void LampCutter::AppendOutside(
-  const Flat& part, const Shadow& shadow, std::vector<Flat>& parts) const
+  const Flat& part, const FlatShadow& shadow, double sliver, std::vector<Flat>& parts)
 {
   const std::size_t before = parts.size();
   std::array<Flat, 2> room;
   const Flat* rest = &part; // what is inside of the sides so far
   for (int s = 0; s < shadow.count; ++s)
   {
-    const Line& line = shadow.sides[s];
+    const FlatShadow::Side& side = shadow.sides[s];
     Heights heights;
     int inside = 0;
     for (int k = 0; k < rest->count; ++k)
     {
-      heights[k] = glm::dot(line.normal, rest->corners[k]) + line.offset;
+      heights[k] = glm::dot(side.normal, rest->corners[k]) + side.offset;
       inside += heights[k] > 0.0 ? 1 : 0;
     }
     if (inside == rest->count)
@@ -247,7 +362,7 @@ void LampCutter::AppendOutside(
     }
     parts.emplace_back();
     CutAt(*rest, heights, -1.0, parts.back());
-    if (Area(parts.back()) <= this->Sliver)
+    if (Area(parts.back()) <= sliver)
     {
       parts.pop_back();
     }
@@ -257,31 +372,88 @@ void LampCutter::AppendOutside(
   }
 }
 
-void LampCutter::Cut(Shadows& shadows, const Shadow& shadow) const
+void LampCutter::Cut(Shadows& shadows, const FlatShadow& shadow, double sliver)
 {
+  shadows.Effort += shadows.Parts.size();
   shadows.Rest.clear();
   for (const Flat& part : shadows.Parts)
   {
-    this->AppendOutside(part, shadow, shadows.Rest);
+    AppendOutside(part, shadow, sliver, shadows.Rest);
   }
   shadows.Parts.swap(shadows.Rest);
 }
 
-/// Shadows of few sides first: these hide most, and leave few parts to the others.
-std::optional<double> LampCutter::SeenPast(Shadows& shadows, const Vec2& x) const
+std::optional<double> LampCutter::SeenOfFaces(Shadows& shadows, const Vec2& x) const
 {
-  std::size_t effort = 0;
-  shadows.Parts.assign(1, this->Lamp);
-  for (int sides = 1; sides <= MostCorners; ++sides)
+  shadows.Effort = 0;
+  if (this->Lamp->Size() == 1) // it is the hull, which all of them cut
   {
-    for (const Shadow& shadow : shadows.All)
+    shadows.OfFace = shadows.All;
+    return SeenOfFace(*this->Only, shadows, x);
+  }
+  LampSurface::Workspace& room = shadows.Room;
+  if (!this->Lamp->FindSeen(x, room.seen))
+  {
+    return 0.0;
+  }
+  this->SortFaces(shadows);
+  double seen = 0.0;
+  for (auto first = shadows.Partly.begin(); first != shadows.Partly.end();)
+  {
+    const std::uint32_t face = first->face;
+    shadows.OfFace.clear();
+    for (; first != shadows.Partly.end() && first->face == face; ++first)
     {
-      if (shadow.count == sides)
+      shadows.OfFace.push_back(first->shadow);
+    }
+    if (room.seen[face] == 0)
+    {
+      continue; // another shadow hides all of it
+    }
+    room.seen[face] = 0;
+    const auto part =
+      SeenOfFace(Face(this->Lamp->Face(face), this->Lamp->PlaneOf(face)), shadows, x);
+    if (!part)
+    {
+      return std::nullopt;
+    }
+    seen += *part;
+  }
+  return seen + this->Lamp->OfSeen(x, room);
+}
+
+/// Those that a shadow hides as a whole are not seen; those that it hides in part are noted.
+void LampCutter::SortFaces(Shadows& shadows) const
+{
+  shadows.Partly.clear();
+  for (const Shadows::Shadow& shadow : shadows.All)
+  {
+    shadows.Faces.clear();
+    this->Lamp->Sort(&shadows.Sides[shadow.firstSide], static_cast<std::size_t>(shadow.Count()),
+      shadows.Room.seen, shadows.Faces);
+    for (const std::uint32_t face : shadows.Faces)
+    {
+      shadows.Partly.push_back({ face, shadow });
+    }
+  }
+  std::stable_sort(shadows.Partly.begin(), shadows.Partly.end(),
+    [](const auto& a, const auto& b) { return a.face < b.face; });
+}
+
+/// Past shadows.OfFace. Those of few sides first: they hide most, and leave few parts to the
+/// others.
+std::optional<double> LampCutter::SeenOfFace(const Face& face, Shadows& shadows, const Vec2& x)
+{
+  shadows.Parts.assign(1, face.outline);
+  for (int sides = 1; sides <= MostCorners + 1; ++sides)
+  {
+    for (const Shadows::Shadow& shadow : shadows.OfFace)
+    {
+      if (shadow.Count() == sides)
       {
-        effort += shadows.Parts.size();
-        this->Cut(shadows, shadow);
+        Cut(shadows, shadows.OnFace(face, shadow), face.sliver);
       }
-      if (effort > MostEffort)
+      if (shadows.Effort > MostEffort)
       {
         shadows.TooMany = true;
         return std::nullopt;
@@ -291,17 +463,22 @@ std::optional<double> LampCutter::SeenPast(Shadows& shadows, const Vec2& x) cons
   double seen = 0.0;
   for (const Flat& part : shadows.Parts)
   {
-    seen += this->Measure(part, x);
+    seen += Measure(face, part, x);
   }
   return seen;
 }
 
-double LampCutter::Measure(const Flat& part, const Vec2& x) const
+double LampCutter::Measure(const Face& face, const Flat& part, const Vec2& x)
 {
   Polygon shape;
   for (int i = 0; i < part.count; ++i)
   {
-    shape.Add(this->Origin + part.corners[i].x * this->A + part.corners[i].y * this->B);
+    const Vec2& corner = part.corners[i];
+    Vec3 place;
+    place[face.u] = corner.x;
+    place[face.v] = corner.y;
+    place[face.w] = face.constant + face.perU * corner.x + face.perV * corner.y;
+    shape.Add(place);
   }
   return LampKernel(shape).At(x);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/mesh/Facets.h"
-#include "core/view/LampKernel.h"
+#include "core/view/LampSurface.h"
 
 #include <array>
 #include <cstdint>
@@ -16,15 +16,16 @@ namespace vantage
 
 /// The same as PointToVisiblePolygon(), for the points of the plane z = 0 with normal +z, in a
 /// tenth of the time: the shadow that an occluder casts from the point onto the lamp is convex.
-/// Each shadow in turn takes its part of what is left of the lamp, and leaves the rest in convex
-/// parts: few for any number of pieces that one surface was cut into, or of faces of one body.
+/// Each shadow in turn takes its part of what is left of a face of the lamp, and leaves the rest in
+/// convex parts: few for any number of pieces that one surface was cut into, or of faces of one
+/// body. Of a lamp with many faces most are seen as a whole, or not at all.
 class LampCutter
 {
 public:
-  /// \param lamp above the plane, with an area
-  explicit LampCutter(const Polygon& lamp);
+  /// \param lamp must outlive this
+  explicit LampCutter(const LampSurface& lamp);
 
-  /// \param shape above the plane and in front of the lamp, with an area
+  /// \param shape above the plane, with an area; in front of the lamp if that is flat
   /// \param inside the side that is the inside of a closed body, if one is
   /// \return its number, from 0
   std::uint32_t AddOccluder(const Polygon& shape, std::optional<Side> inside = {});
@@ -58,22 +59,32 @@ public:
 private:
   static constexpr int MostCorners = Polygon::Capacity;
 
-  /// In the plane of the lamp.
+  /// In the plane of a face.
   struct Flat
   {
     std::array<Vec2, MostCorners> corners;
     int count = 0;
   };
   using Heights = std::array<double, MostCorners>; ///< of the corners of such a polygon
-  struct Line
+  /// Of a plane, by the two coordinates in which it is steepest: the third one is linear in them.
+  struct Face
   {
-    Vec2 normal;
-    double offset; ///< inside where dot(normal, y) + offset >= 0
+    int u, v, w;
+    double perU, perV, constant; ///< of the third coordinate
+    Flat outline;
+    double sliver; ///< the area of a part that is not worth keeping
+
+    Face(const Polygon& shape, const Plane& plane);
   };
-  /// A shadow on the plane of the lamp: those sides of it that cut the lamp.
-  struct Shadow
+  /// What an occluder hides from a point, in the plane of a face.
+  struct FlatShadow
   {
-    std::array<Line, MostCorners> sides;
+    struct Side
+    {
+      Vec2 normal;
+      double offset; ///< inside where dot(normal, y) + offset > 0
+    };
+    std::array<Side, MostCorners + 1> sides;
     int count = 0;
   };
   /// Linear over the plane z = 0.
@@ -86,17 +97,10 @@ private:
       return this->constant + this->x * place.x + this->y * place.y;
     }
   };
-  /// The plane through x and an edge of an occluder, not normalised, for all x at once.
   struct Edge
   {
-    Affine towardsA, towardsB; ///< its normal times the axes of the plane of the lamp
-    Affine height;             ///< of the lamp's origin above it
-  };
-  struct Occluder
-  {
-    Affine side; ///< of its plane that x is on, by the sign
-    std::uint32_t firstEdge, lastEdge;
-    std::optional<Side> inside;
+    Vec3 along;
+    Vec3 moment; ///< of the plane through it and x = 0, its normal, not normalised
   };
   enum class Cover
   {
@@ -104,26 +108,41 @@ private:
     Part,
     Whole
   };
+  struct Occluder
+  {
+    Plane plane;
+    Affine side; ///< distance of x from it
+    std::array<Cover, 2>
+      beyond; ///< how much of the lamp is beyond the plane for x above it, and below
+    std::uint32_t firstEdge, lastEdge;
+    std::optional<Side> inside;
+  };
 
+  void FindHull();
+  std::array<Cover, 2> LampBeyond(const Plane& plane) const;
+  bool HidesAllFrom(const Occluder& occluder, const Vec2& x) const;
   static bool IsInside(const Occluder& occluder, const Vec2& x);
   double CommonSide(const Occluder& occluder, const Polygon& points) const;
-  Cover CoverBehind(std::uint32_t edge, double sign, const Vec2& x) const;
-  Cover Cast(const Occluder& occluder, const Vec2& x, Shadow& shadow) const;
+  static LampSurface::HalfSpace SideBehind(const Edge& edge, double sign, const Vec2& x);
+  Cover HullBehind(std::uint32_t edge, double sign, const Vec2& x) const;
+  Cover LampBehind(std::uint32_t edge, double sign, const Vec2& x) const;
+  Cover Cast(const Occluder& occluder, const Vec2& x, Shadows& shadows) const;
   static void CutAt(const Flat& whole, const Heights& heights, double side, Flat& cut);
   static double Area(const Flat& part);
-  void AppendOutside(const Flat& part, const Shadow& shadow, std::vector<Flat>& parts) const;
-  void Cut(Shadows& shadows, const Shadow& shadow) const;
-  std::optional<double> SeenPast(Shadows& shadows, const Vec2& x) const;
-  double Measure(const Flat& part, const Vec2& x) const;
+  static void AppendOutside(
+    const Flat& part, const FlatShadow& shadow, double sliver, std::vector<Flat>& parts);
+  static void Cut(Shadows& shadows, const FlatShadow& shadow, double sliver);
+  std::optional<double> SeenOfFaces(Shadows& shadows, const Vec2& x) const;
+  void SortFaces(Shadows& shadows) const;
+  static std::optional<double> SeenOfFace(const Face& face, Shadows& shadows, const Vec2& x);
+  static double Measure(const Face& face, const Flat& part, const Vec2& x);
 
-  LampKernel Kernel; ///< of all of the lamp
-  Polygon Shape;
-  Vec3 Origin{ 0.0 }, A{ 0.0 }, B{ 0.0 }; ///< of the plane of the lamp
-  Flat Lamp;
-  double Sliver = 0.0; ///< the area of a part that is not worth keeping
+  const LampSurface* Lamp;
+  std::optional<Face> Only; ///< of a lamp that has one only
+  std::vector<Vec3> Hull;   ///< corners of a convex polygon or body that holds the lamp
   std::vector<Occluder> Occluders;
   std::vector<Edge> Edges;
-  std::vector<Affine> CornerHeights; ///< of the lamp's corners above the plane of each edge
+  std::vector<Affine> HullHeights; ///< of its corners above the plane through x and each edge
 };
 
 /// Room for the shadows that one point sees.
@@ -137,9 +156,31 @@ public:
 
 private:
   friend class LampCutter;
+  /// What an occluder hides: all that is in front of some planes, those through its edges and its
+  /// own, of which those count that cut the lamp. Sides[firstSide .. lastSide).
+  struct Shadow
+  {
+    std::uint32_t firstSide, lastSide;
+
+    int Count() const { return static_cast<int>(this->lastSide - this->firstSide); }
+  };
+  struct FaceInShadow
+  {
+    std::uint32_t face;
+    Shadow shadow;
+  };
+
+  FlatShadow OnFace(const Face& face, const Shadow& shadow) const;
+
+  std::vector<LampSurface::HalfSpace> Sides;
   std::vector<Shadow> All;
-  std::vector<Flat> Parts; ///< that are left of the lamp
-  std::vector<Flat> Rest;  ///< of these, past one more shadow
+  LampSurface::Workspace Room;      ///< the faces that are seen as a whole
+  std::vector<std::uint32_t> Faces; ///< that one shadow hides in part
+  std::vector<FaceInShadow> Partly; ///< by face
+  std::vector<Shadow> OfFace;       ///< those that hide a part of one face
+  std::vector<Flat> Parts;          ///< that are left of it
+  std::vector<Flat> Rest;           ///< of these, past one more shadow
+  std::size_t Effort = 0;           ///< for the last point
   bool TooMany = false;
 };
 

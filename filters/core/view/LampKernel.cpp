@@ -60,6 +60,19 @@ double AngleOverSine(double y)
 
 } // namespace
 
+double LambertTerm(double from, double to, double square, double wedge)
+{
+  const double product = from * to;
+  if (!(product > 0.0))
+  {
+    return 0.0;
+  }
+  const double inverse = 1.0 / product;
+  const double difference = from - to;
+  const double y = 0.25 * (square - difference * difference) * inverse;
+  return AngleOverSine(y) * wedge * inverse;
+}
+
 LampKernel::LampKernel(const Polygon& lamp)
   : Count(lamp.Size())
 {
@@ -86,15 +99,8 @@ double LampKernel::At(const Vec2& x) const
     const Edge& edge = this->Edges[i];
     const double from = lengths[i];
     const double to = lengths[i + 1 < this->Count ? i + 1 : 0];
-    const double product = from * to;
-    if (product > 0.0)
-    {
-      const double inverse = 1.0 / product;
-      const double difference = from - to;
-      const double y = 0.25 * (edge.square - difference * difference) * inverse;
-      const double wedge = edge.alongX * (edge.y - x.y) - edge.alongY * (edge.x - x.x);
-      sum += AngleOverSine(y) * wedge * inverse;
-    }
+    const double wedge = edge.alongX * (edge.y - x.y) - edge.alongY * (edge.x - x.x);
+    sum += LambertTerm(from, to, edge.square, wedge);
   }
   return std::clamp(0.5 * sum, 0.0, Pi);
 }

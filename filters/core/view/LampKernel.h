@@ -10,6 +10,13 @@
 namespace vantage
 {
 
+/// The part of an edge in Lambert's sum for a point of the plane z = 0 with normal +z: the angle
+/// that it is seen under times the vertical part of the normal of the plane through it.
+/// \param from, to distances of its ends from the point
+/// \param square of its length
+/// \param wedge vertical part of the product of the edge and the way from the point to it
+double LambertTerm(double from, double to, double square, double wedge);
+
 /// PointToPolygon() for the points of the plane z = 0 with normal +z and one polygon above them:
 /// Lambert's sum, with all that does not depend on the point done once, and a series instead of an
 /// arc tangent where an edge is seen under less than 45 degrees. A quarter of the time, relative

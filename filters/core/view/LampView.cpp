@@ -1,6 +1,7 @@
 #include "core/view/LampView.h"
 
 #include "core/math/ScrambledSobol.h"
+#include "core/mesh/Bounds.h"
 #include "core/view/SmoothFit.h"
 
 #include <tbb/parallel_invoke.h>
@@ -30,6 +31,17 @@ constexpr int ShadowRays = 256;
 /// Larger groups are halved on two threads.
 constexpr int ParallelGroup = 256;
 
+/// How far away the lamp reaches.
+double ReachOf(const NamedLamp& lamp, const Vec3& from)
+{
+  double reach = 0.0;
+  for (const Polygon& shape : lamp.shapes)
+  {
+    reach = std::max(reach, RadiusAround(shape, from));
+  }
+  return reach;
+}
+
 /// The rectangle around spots.
 std::pair<Vec2, Vec2> Around(const LampSpot* first, const LampSpot* last)
 {
@@ -46,27 +58,27 @@ std::pair<Vec2, Vec2> Around(const LampSpot* first, const LampSpot* last)
 } // namespace
 
 LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const PatchFrame& frame,
-  std::uint32_t lampFacet, const Polygon& lampShape)
+  const NamedLamp& lamp)
   : Occluders(&occluders)
   , Facet(facet)
-  , LampFacet(lampFacet)
   , Frame(&frame)
-  , LampShape(lampShape)
-  , Unit(RadiusAround(lampShape, frame.origin))
-  , Kernel(Polygon())
+  , Named(&lamp)
+  , Unit(ReachOf(lamp, frame.origin))
+  , Lamp(lamp.surface.In(frame, this->Unit))
 {
-  Polygon local;
-  for (const Vec3& v : lampShape)
+  if (this->Lamp.Size() > 0 && this->Lamp.IsFlat())
   {
-    local.Add(frame.ToLocal(v) / this->Unit);
+    this->Front = this->Lamp.PlaneOf(0);
   }
-  this->LampPlane = SupportingPlane(local);
-  this->Lamp = ClipToFront(local, Plane(), Touching);
-  for (int i = 0; i < this->Lamp.Size(); ++i)
+  for (const Vec3& corner : this->Lamp.Corners())
   {
-    this->Lamp[i].z = std::max(this->Lamp[i].z, 0.0);
+    this->Corners.push_back(frame.ToWorld(corner * this->Unit));
   }
-  this->Kernel = LampKernel(this->Lamp);
+  double area = 0.0;
+  for (const Polygon& shape : lamp.shapes)
+  {
+    this->AreasTo.push_back(area += Area(shape));
+  }
 }
 
 DirectCounters LampView::Look(
@@ -76,7 +88,7 @@ DirectCounters LampView::Look(
   {
     factors[spot->index] = 0.0;
   }
-  if (this->Lamp.Empty() || this->Facet == this->LampFacet || first == last)
+  if (this->Lamp.Size() == 0 || this->Named->IsOfConvexPart(this->Facet) || first == last)
   {
     return {};
   }
@@ -91,16 +103,16 @@ DirectCounters LampView::Look(
   return counters;
 }
 
-/// The rectangle around the spots, as far as it is in front of the lamp. Local.
+/// The rectangle around the spots, as far as it is in front of a flat lamp. Local.
 Polygon LampView::Bounds(const Group& group) const
 {
   constexpr double margin = 1e-6;
   const auto [first, last] = Around(group.first, group.last);
   const Vec2 low = first / this->Unit - margin;
   const Vec2 high = last / this->Unit + margin;
-  return ClipToFront({ { low.x, low.y, 0.0 }, { high.x, low.y, 0.0 }, { high.x, high.y, 0.0 },
-                       { low.x, high.y, 0.0 } },
-    this->LampPlane, Touching);
+  const Polygon bounds{ { low.x, low.y, 0.0 }, { high.x, low.y, 0.0 }, { high.x, high.y, 0.0 },
+    { low.x, high.y, 0.0 } };
+  return this->Front ? ClipToFront(bounds, *this->Front, Touching) : bounds;
 }
 
 Polygon LampView::ToWorld(const Polygon& local) const
@@ -113,7 +125,7 @@ Polygon LampView::ToWorld(const Polygon& local) const
   return world;
 }
 
-/// The part of a facet that is in front of both the patch and the lamp. Local; may be empty.
+/// The part of a facet that is in front of both the patch and a flat lamp. Local; may be empty.
 Polygon LampView::Between(std::uint32_t facet) const
 {
   Polygon local;
@@ -121,7 +133,17 @@ Polygon LampView::Between(std::uint32_t facet) const
   {
     local.Add(this->Frame->ToLocal(v) / this->Unit);
   }
-  return ClipToFront(ClipToFront(local, Plane(), Touching), this->LampPlane, Touching);
+  const Polygon above = ClipToFront(local, Plane(), Touching);
+  return this->Front ? ClipToFront(above, *this->Front, Touching) : above;
+}
+
+/// What holds all ways from a polygon of the patch to the lamp.
+std::optional<ConvexRegion> LampView::ShaftFrom(const Polygon& ground) const
+{
+  const double tolerance = this->Occluders->Tolerance();
+  return this->Lamp.Size() == 1
+           ? Shaft(ground, this->ToWorld(this->Lamp.Face(0)), tolerance)
+           : std::optional<ConvexRegion>(ShaftTo(ground, this->Corners, tolerance));
 }
 
 LampView::Search LampView::SearchAround(const Group& all, double tolerance) const
@@ -133,30 +155,29 @@ LampView::Search LampView::SearchAround(const Group& all, double tolerance) cons
     return search;
   }
   const Polygon ground = this->ToWorld(bounds);
-  const auto shaft = Shaft(ground, this->ToWorld(this->Lamp), this->Occluders->Tolerance());
   std::vector<std::uint32_t> found;
-  if (shaft)
+  if (const auto shaft = this->ShaftFrom(ground))
   {
     found = this->Occluders->FacetsInRegion(*shaft);
   }
   else
   {
-    Vec3 low = this->LampShape[0];
-    Vec3 high = low;
-    for (const Polygon* p : { &ground, &this->LampShape })
+    vantage::Bounds box;
+    for (const Vec3& v : ground)
     {
-      for (const Vec3& v : *p)
-      {
-        low = glm::min(low, v);
-        high = glm::max(high, v);
-      }
+      box.Add(v);
     }
-    found = this->Occluders->FacetsInBox(low, high);
+    for (const Vec3& v : this->Corners)
+    {
+      box.Add(v);
+    }
+    found = this->Occluders->FacetsInBox(box.Low(), box.High());
   }
   for (const std::uint32_t facet : found)
   {
     const Polygon between = this->Between(facet);
-    if (facet != this->Facet && facet != this->LampFacet && !between.Empty())
+    if (facet != this->Facet && !this->Named->IsOfConvexPart(facet) && !between.Empty() &&
+        !this->Lamp.IsInFrontOf(between))
     {
       const auto inside = this->Occluders->InsideOf(facet);
       search.facets.push_back(facet);
@@ -187,7 +208,7 @@ bool LampView::Narrow(Group& group, const Search& search) const
   {
     return true;
   }
-  if (const auto shaft = Shaft(ground, this->ToWorld(this->Lamp), tolerance))
+  if (const auto shaft = this->ShaftFrom(ground))
   {
     const auto isElsewhere = [&](const LampCutter::Suspect& suspect)
     {
@@ -226,7 +247,7 @@ DirectCounters LampView::Look(Group group, const Search& search, double* factors
   }
   if (!this->LookSmoothly(group, search, factors, counters))
   {
-    if (IsSmall(group, search))
+    if (this->IsSmall(group, search))
     {
       this->LookAtEach(group, search, factors, counters);
     }
@@ -239,12 +260,22 @@ DirectCounters LampView::Look(Group group, const Search& search, double* factors
 }
 
 /// Whether to halve the group is of no use.
-bool LampView::IsSmall(const Group& group, const Search& search)
+bool LampView::IsSmall(const Group& group, const Search& search) const
 {
   const auto count = group.last - group.first;
-  const bool isExact = search.tolerance == 0.0;
-  return count <= SmallGroup || group.suspects.empty() ||
-         (isExact && count <= SmallGroupOfFewFacets && group.suspects.size() <= FewFacets);
+  if (search.tolerance == 0.0)
+  {
+    return count <= SmallGroup || group.suspects.empty() ||
+           (count <= SmallGroupOfFewFacets && group.suspects.size() <= FewFacets);
+  }
+  return count <= SmallGroup || (group.suspects.empty() && this->Lamp.Size() == 1);
+}
+
+/// A single face without anything in the way is no more work than its fit, and exact.
+bool LampView::IsWorthAFit(const Group& group, const Search& search) const
+{
+  return search.tolerance > 0.0 && group.last - group.first > LeastToFit &&
+         (!group.suspects.empty() || this->Lamp.Size() > 1);
 }
 
 DirectCounters LampView::LookHalves(const Group& group, const Search& search, double* factors) const
@@ -282,13 +313,17 @@ DirectCounters LampView::LookHalves(const Group& group, const Search& search, do
 bool LampView::LookSmoothly(
   const Group& group, const Search& search, double* factors, DirectCounters& counters) const
 {
-  if (search.tolerance == 0.0 || group.suspects.empty() || group.last - group.first <= LeastToFit)
+  if (!this->IsWorthAFit(group, search))
   {
     return false;
   }
   const Polygon bounds = this->Bounds(group);
+  // What a lamp hides of itself changes as slowly as it turns.
   const auto isSharp = [&](const LampCutter::Suspect& suspect)
-  { return search.cutter.IsSharp(suspect.occluder, bounds); };
+  {
+    return !this->Named->IsOfWhole(search.facets[suspect.occluder]) &&
+           search.cutter.IsSharp(suspect.occluder, bounds);
+  };
   if (std::any_of(group.suspects.begin(), group.suspects.end(), isSharp))
   {
     return false;
@@ -322,7 +357,7 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
   LampCutter::Shadows& shadows, DirectCounters& counters) const
 {
   const Vec2 local = place / this->Unit;
-  if (this->LampPlane.Distance(Vec3(local, 0.0)) <= 0.0)
+  if (this->Front && this->Front->Distance(Vec3(local, 0.0)) <= 0.0)
   {
     return 0.0;
   }
@@ -338,23 +373,31 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
 double LampView::SeenByRays(const Vec2& place, DirectCounters& counters) const
 {
   const SurfacePoint from{ this->Frame->ToWorld(Vec3(place, 0.0)), this->Facet };
-  const Plane plane = SupportingPlane(this->LampShape);
   double seen = 0.0;
   double total = 0.0;
   for (int i = 0; i < ShadowRays; ++i)
   {
-    const Vec2 uv = ScrambledSobol(i, Hash(this->LampFacet, this->Facet));
-    const Vec3 y = PointAt(this->LampShape, uv);
+    Vec2 uv = ScrambledSobol(i, Hash(this->Named->patches[0], this->Facet));
+    const double chosen = uv.x * this->AreasTo.back();
+    const auto next = std::upper_bound(this->AreasTo.begin(), this->AreasTo.end() - 1, chosen);
+    const auto k = static_cast<std::size_t>(next - this->AreasTo.begin());
+    const Polygon& shape = this->Named->shapes[k];
+    const double before = k > 0 ? this->AreasTo[k - 1] : 0.0;
+    const double area = this->AreasTo[k] - before;
+    uv.x = (chosen - before) / area;
+    const Vec3 y = PointAt(shape, uv);
     const Vec3 way = y - from.position;
     const double square = glm::dot(way, way);
-    const double weight = AreaElementAt(this->LampShape, uv) *
-                          std::max(glm::dot(way, this->Frame->z), 0.0) *
-                          plane.Distance(from.position) / (square * square);
+    const double weight =
+      AreaElementAt(shape, uv) / area * std::max(glm::dot(way, this->Frame->z), 0.0) *
+      std::max(SupportingPlane(shape).Distance(from.position), 0.0) / (square * square);
     total += weight;
-    seen += this->Occluders->IsOccluded(from, { y, this->LampFacet }) ? 0.0 : weight;
+    const SurfacePoint to{ y, this->Named->patches[k] / 2 };
+    seen += weight > 0.0 && this->Occluders->IsOccluded(from, to) ? 0.0 : weight;
+    counters.shadowRays += weight > 0.0 ? 1 : 0;
   }
-  counters.shadowRays += ShadowRays;
-  return total > 0.0 ? this->Kernel.At(place / this->Unit) * seen / total : 0.0;
+  LampSurface::Workspace room;
+  return total > 0.0 ? this->Lamp.At(place / this->Unit, room) * seen / total : 0.0;
 }
 
 } // namespace vantage

@@ -2,7 +2,8 @@
 
 #include "core/view/DirectLight.h"
 #include "core/view/LampCutter.h"
-#include "core/view/LampKernel.h"
+#include "core/view/LampSurface.h"
+#include "core/view/NamedLamps.h"
 #include "core/view/PatchFrame.h"
 
 #include <optional>
@@ -25,9 +26,9 @@ struct LampSpot
 class LampView
 {
 public:
-  /// \param lampShape counter-clockwise from the side that shines
+  /// All must outlive this. \param frame of the facet
   LampView(const OccluderScene& occluders, std::uint32_t facet, const PatchFrame& frame,
-    std::uint32_t lampFacet, const Polygon& lampShape);
+    const NamedLamp& lamp);
 
   /// Writes the integral of the cosine over what each spot sees of the lamp, in sr, to
   /// factors[index]. Changes the order of the spots.
@@ -56,7 +57,8 @@ private:
   void LookForBodies(Group& group, const Search& search, const Polygon& ground) const;
   DirectCounters Look(Group group, const Search& search, double* factors) const;
   DirectCounters LookHalves(const Group& group, const Search& search, double* factors) const;
-  static bool IsSmall(const Group& group, const Search& search);
+  bool IsSmall(const Group& group, const Search& search) const;
+  bool IsWorthAFit(const Group& group, const Search& search) const;
   bool LookSmoothly(
     const Group& group, const Search& search, double* factors, DirectCounters& counters) const;
   void LookAtEach(
@@ -64,19 +66,20 @@ private:
   double SeenFrom(const Vec2& place, const Group& group, const Search& search,
     LampCutter::Shadows& shadows, DirectCounters& counters) const;
   double SeenByRays(const Vec2& place, DirectCounters& counters) const;
+  std::optional<ConvexRegion> ShaftFrom(const Polygon& ground) const;
   Polygon Bounds(const Group& group) const;
   Polygon Between(std::uint32_t facet) const;
   Polygon ToWorld(const Polygon& local) const;
 
   const OccluderScene* Occluders;
   std::uint32_t Facet;
-  std::uint32_t LampFacet;
   const PatchFrame* Frame;
-  Polygon LampShape;
-  double Unit = 1.0; ///< scene units in a local one
-  Polygon Lamp;      ///< what is in front of the patch, local
-  Plane LampPlane;   ///< local
-  LampKernel Kernel;
+  const NamedLamp* Named;
+  double Unit = 1.0;           ///< scene units in a local one
+  LampSurface Lamp;            ///< what is in front of the patch, local
+  std::optional<Plane> Front;  ///< of the lamp, local, if it is flat
+  std::vector<Vec3> Corners;   ///< of the lamp, in the scene
+  std::vector<double> AreasTo; ///< of its shapes, up to and with each
 };
 
 } // namespace vantage

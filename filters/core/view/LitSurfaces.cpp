@@ -4,6 +4,7 @@
 #include "core/math/Sampling.h"
 #include "core/math/ScrambledSobol.h"
 
+#include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -53,34 +54,60 @@ std::optional<Vec3> Meet(
 
 } // namespace
 
+LitSurfaces::Face::Face(const Polygon& outline, std::uint32_t itsFacet)
+  : shape(outline)
+  , centre(Centroid(outline))
+  , normal(UnitNormal(outline))
+  , radius(RadiusAround(outline, this->centre))
+  , area(Area(outline))
+  , facet(itsFacet)
+{
+}
+
+LitSurfaces::Lamp::Lamp(const NamedLamp& named)
+  : emission(named.emission)
+{
+  Vec3 areaTimesCentre(0.0);
+  for (std::size_t k = 0; k < named.patches.size(); ++k)
+  {
+    const Face& face = this->faces.emplace_back(named.shapes[k], named.patches[k] / 2);
+    this->area += face.area;
+    areaTimesCentre += face.area * face.centre;
+    this->areaNormal += face.area * face.normal;
+    this->areaTensor += face.area * glm::outerProduct(face.normal, face.normal);
+  }
+  this->centre = this->faces.size() == 1 ? this->faces[0].centre : areaTimesCentre / this->area;
+  for (const Face& face : this->faces)
+  {
+    this->radius = std::max(this->radius, RadiusAround(face.shape, this->centre));
+  }
+}
+
+double LitSurfaces::Lamp::AreaTowards(const Vec3& direction) const
+{
+  const double net = glm::dot(this->areaNormal, direction);
+  if (this->faces.size() == 1)
+  {
+    return net;
+  }
+  // Both sides together: the root mean square of the cosine stands for its mean.
+  const double both = std::sqrt(this->area * glm::dot(direction, this->areaTensor * direction));
+  return 0.5 * (both + net);
+}
+
 LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution)
   : Occluders(&occluders)
   , Solution(&solution)
+  , Named(occluders, solution)
 {
   this->OfElements.reserve(solution.elements.size());
   for (const RadianceSolution::Element& element : solution.elements)
   {
     this->OfElements.push_back(element.indirect);
   }
-  std::vector<PatchId> patches = solution.lamps;
-  std::sort(patches.begin(), patches.end());
-  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
-  for (const PatchId patch : patches)
+  for (std::uint32_t lamp = 0; lamp < this->Named.Size(); ++lamp)
   {
-    Lamp lamp;
-    lamp.shape = ShapeOf(occluders, patch);
-    lamp.centre = Centroid(lamp.shape);
-    lamp.normal = UnitNormal(lamp.shape);
-    lamp.radius = RadiusAround(lamp.shape, lamp.centre);
-    lamp.area = Area(lamp.shape);
-    lamp.facet = patch / 2;
-    lamp.emission = solution.emission[patch];
-    this->Lamps.push_back(lamp);
-  }
-  for (const PatchId patch : solution.lamps)
-  {
-    this->LampOfEntry.push_back(static_cast<std::uint32_t>(
-      std::lower_bound(patches.begin(), patches.end(), patch) - patches.begin()));
+    this->Lamps.emplace_back(this->Named[lamp]);
   }
 }
 
@@ -122,86 +149,137 @@ std::uint64_t LitSurfaces::LightSample(const std::vector<Hit>& sample, std::uint
 Color LitSurfaces::Irradiance(const Hit& hit, RadianceSolution::NodeIndex leaf, std::uint32_t index,
   std::uint64_t seed, std::uint64_t& shadowRays) const
 {
-  const RadianceSolution::Element& element = this->Solution->elements[leaf];
-  if (element.firstLamp == element.lastLamp)
+  const NamedLamps::List& lamps = this->Named.Of(leaf);
+  if (lamps.empty())
   {
     return Color(0.0);
   }
   const LitPoint point{ { hit.point, hit.facet }, NormalOf(*this->Occluders, hit.Patch()) };
-  if (element.lastLamp - element.firstLamp > MostLamps)
+  if (lamps.size() > MostLamps)
   {
-    return this->FromSome(point, element.firstLamp, element.lastLamp, index, seed, shadowRays);
+    return this->FromSome(point, lamps, index, seed, shadowRays);
   }
   Color irradiance(0.0);
-  for (std::uint32_t entry = element.firstLamp; entry < element.lastLamp; ++entry)
+  for (const std::uint32_t lamp : lamps)
   {
-    const Lamp& lamp = this->Lamps[this->LampOfEntry[entry]];
+    const std::uint64_t itsSeed = Hash(seed, this->Lamps[lamp].faces[0].facet);
     irradiance +=
-      this->Factor(lamp, point, index, Hash(seed, lamp.facet), shadowRays) * lamp.emission;
+      this->Factor(lamp, point, index, itsSeed, shadowRays) * this->Lamps[lamp].emission;
   }
   return irradiance;
 }
 
 /// Irradiance that the lamp would give with nothing in the way, of a distant one as if it were a
 /// point, and then never nought.
-double LitSurfaces::Likely(const Lamp& lamp, const LitPoint& point) const
+double LitSurfaces::Likely(std::uint32_t index, const LitPoint& point) const
 {
+  const Lamp& lamp = this->Lamps[index];
   const Vec3 way = lamp.centre - point.place.position;
   const double square = glm::dot(way, way);
   if (square < NearLamp * NearLamp * lamp.radius * lamp.radius)
   {
-    return Mean(lamp.emission) * PointToPolygon(point.place.position, point.normal, lamp.shape);
+    return Mean(lamp.emission) * this->Unhidden(index, point);
   }
+  const double distance = std::sqrt(square);
   const double here = glm::dot(point.normal, way);
-  const double there = -glm::dot(lamp.normal, way);
-  const double least = LeastCosine * std::sqrt(square);
-  return Mean(lamp.emission) * lamp.area * std::max(here, least) * std::max(there, least) /
+  const double there = lamp.AreaTowards(-way / distance) * distance;
+  const double least = LeastCosine * distance;
+  return Mean(lamp.emission) * std::max(here, least) * std::max(there, lamp.area * least) /
          ((square + lamp.area) * square + 1e-300);
 }
 
-/// Of the lamp that the point sees, in sr: all of it or nothing, as a point drawn on it is seen.
-double LitSurfaces::Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index,
-  std::uint64_t seed, std::uint64_t& shadowRays) const
+/// Of the lamp that the point would see with nothing in the way, in sr.
+double LitSurfaces::Unhidden(std::uint32_t lamp, const LitPoint& point) const
 {
   const Vec3& x = point.place.position;
-  const double whole = PointToPolygon(x, point.normal, lamp.shape);
-  if (whole <= 0.0 || lamp.facet == point.place.facet)
+  const std::vector<Face>& faces = this->Lamps[lamp].faces;
+  if (faces.size() == 1)
+  {
+    return PointToPolygon(x, point.normal, faces[0].shape);
+  }
+  thread_local LampSurface::Workspace room;
+  return this->Named[lamp].surface.Onto(x, point.normal, room);
+}
+
+/// Of the lamp that the point sees, in sr: all of it or nothing, as a point drawn on it is seen.
+double LitSurfaces::Factor(std::uint32_t lamp, const LitPoint& point, std::uint32_t index,
+  std::uint64_t seed, std::uint64_t& shadowRays) const
+{
+  const double whole = this->Unhidden(lamp, point);
+  if (whole <= 0.0 || this->Named[lamp].IsOfConvexPart(point.place.facet))
   {
     return 0.0;
   }
-  const Vec3 target = whole > PartOfHemisphere * Pi ? TargetByDirection(lamp, point, index, seed)
-                                                    : TargetByArea(lamp, point, index, seed);
+  const std::vector<Face>& faces = this->Lamps[lamp].faces;
+  const Face* face = &faces[0];
+  if (faces.size() > 1)
+  {
+    face = &this->FaceTowards(this->Lamps[lamp], point, ScrambledSobol(index, Hash(seed, 0)).y);
+  }
+  const Vec3 target = whole > PartOfHemisphere * Pi ? TargetByDirection(*face, point, index, seed)
+                                                    : TargetByArea(*face, point, index, seed);
   ++shadowRays;
-  return this->Occluders->IsOccluded(point.place, { target, lamp.facet }) ? 0.0 : whole;
+  return this->Occluders->IsOccluded(point.place, { target, face->facet }) ? 0.0 : whole;
 }
 
-/// A point of the lamp, drawn as it lights `point`: the first that is met by directions which are
+/// Whether any of a polygon is.
+bool LitSurfaces::IsAboveHorizon(const Polygon& shape, const LitPoint& point)
+{
+  return std::any_of(shape.begin(), shape.end(),
+    [&](const Vec3& corner)
+    { return glm::dot(point.normal, corner - point.place.position) > 0.0; });
+}
+
+/// A face, drawn by about what it gives to the point. \pre it sees some face
+const LitSurfaces::Face& LitSurfaces::FaceTowards(const Lamp& lamp, const LitPoint& point, double u)
+{
+  thread_local std::vector<double> sums;
+  sums.clear();
+  double sum = 0.0;
+  for (const Face& face : lamp.faces)
+  {
+    const Vec3 way = face.centre - point.place.position;
+    const double square = glm::dot(way, way);
+    const double here = glm::dot(point.normal, way);
+    const double there = -glm::dot(face.normal, way);
+    if (there > 0.0 && IsAboveHorizon(face.shape, point))
+    {
+      const double least = LeastCosine * face.radius;
+      sum += face.area * there * std::max(here, least) / (square * (square + face.area));
+    }
+    sums.push_back(sum);
+  }
+  const auto found = std::upper_bound(sums.begin(), sums.end() - 1, u * sum);
+  return lamp.faces[static_cast<std::size_t>(found - sums.begin())];
+}
+
+/// A point of a face, drawn as it lights `point`: the first that is met by directions which are
 /// distributed by the cosine.
 Vec3 LitSurfaces::TargetByDirection(
-  const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
+  const Face& face, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
 {
   const Frame frame(point.normal);
   for (std::uint32_t k = 0; k < MostTries; ++k)
   {
     const Vec2 u = ScrambledSobol(index, Hash(seed, k));
     const Vec3 direction = frame.ToWorld(CosineHemisphere(u));
-    if (const auto place = Meet(point.place.position, direction, lamp.shape, lamp.normal))
+    if (const auto place = Meet(point.place.position, direction, face.shape, face.normal))
     {
       return *place;
     }
   }
-  return TargetByArea(lamp, point, index, seed);
+  return TargetByArea(face, point, index, seed);
 }
 
-/// The same, nearly: of a few that are spread over the lamp, one with the probability of its share
+/// The same, nearly: of a few that are spread over it, one with the probability of its share
 /// (Talbot et al. 2005). More are tried where none is above the horizon.
 Vec3 LitSurfaces::TargetByArea(
-  const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
+  const Face& face, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
 {
   const Vec3& x = point.place.position;
-  const double height = std::abs(glm::dot(lamp.normal, x - lamp.centre));
-  const double distance = std::max(height, glm::length(x - lamp.centre) - lamp.radius);
-  const double wanted = CandidatesAtOnce * lamp.area / (distance * distance + 1e-300);
+  const double height = std::abs(glm::dot(face.normal, x - face.centre));
+  const double distance = std::max(height, glm::length(x - face.centre) - face.radius);
+  const double wanted = CandidatesAtOnce * face.area / (distance * distance + 1e-300);
   const auto candidates = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double(MostTries)));
   std::array<Vec3, MostTries> places;
   std::array<double, MostTries> sums;
@@ -211,46 +289,46 @@ Vec3 LitSurfaces::TargetByArea(
   {
     const Vec2 uv = ScrambledSobol(
       index * candidates + tried % candidates, tried < candidates ? seed : Hash(seed, tried));
-    places[tried] = PointAt(lamp.shape, uv);
+    places[tried] = PointAt(face.shape, uv);
     const Vec3 way = places[tried] - x;
     const double square = glm::dot(way, way);
     const double cosines =
-      std::max(0.0, glm::dot(point.normal, way)) * std::max(0.0, -glm::dot(lamp.normal, way));
+      std::max(0.0, glm::dot(point.normal, way)) * std::max(0.0, -glm::dot(face.normal, way));
     sum += square > 0.0 ? cosines / (square * square) : 0.0;
     sums[tried] = sum;
   }
   if (!(sum > 0.0))
   {
-    return Centroid(ClipToFront(lamp.shape, { point.normal, glm::dot(point.normal, x) }));
+    const Polygon above = ClipToFront(face.shape, { point.normal, glm::dot(point.normal, x) });
+    return above.Empty() ? face.centre : Centroid(above);
   }
   const double chosen = sum * ScrambledSobol(index, Hash(seed, candidates)).x;
   const auto found = std::upper_bound(sums.begin(), sums.begin() + tried - 1, chosen);
   return places[static_cast<std::size_t>(found - sums.begin())];
 }
 
-Color LitSurfaces::FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,
+Color LitSurfaces::FromSome(const LitPoint& point, const NamedLamps::List& lamps,
   std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const
 {
   // One walk along all of them for the sum, another one past equal steps of it.
-  double sum = 0.0;
-  for (std::uint32_t entry = first; entry < last; ++entry)
+  thread_local std::vector<double> likely;
+  likely.clear();
+  for (const std::uint32_t lamp : lamps)
   {
-    sum += this->Likely(this->Lamps[this->LampOfEntry[entry]], point);
+    likely.push_back(this->Likely(lamp, point));
   }
-  const double step = sum / MostLamps;
+  const double step = std::accumulate(likely.begin(), likely.end(), 0.0) / MostLamps;
   double next = step * ScrambledSobol(index, Hash(seed, 0)).x;
   double walked = 0.0;
   Color irradiance(0.0);
   std::uint32_t drawn = 0;
-  for (std::uint32_t entry = first; entry < last && drawn < MostLamps; ++entry)
+  for (std::size_t k = 0; k < lamps.size() && drawn < MostLamps; ++k)
   {
-    const Lamp& lamp = this->Lamps[this->LampOfEntry[entry]];
-    const double likely = this->Likely(lamp, point);
-    walked += likely;
+    walked += likely[k];
     for (; next < walked && drawn < MostLamps; next += step, ++drawn)
     {
-      const double factor = this->Factor(lamp, point, index, Hash(seed, drawn + 1), shadowRays);
-      irradiance += factor * step / likely * lamp.emission;
+      const double factor = this->Factor(lamps[k], point, index, Hash(seed, drawn + 1), shadowRays);
+      irradiance += factor * step / likely[k] * this->Lamps[lamps[k]].emission;
     }
   }
   return irradiance;

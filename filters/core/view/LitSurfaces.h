@@ -2,7 +2,10 @@
 
 #include "core/transport/RadianceSolution.h"
 #include "core/view/LightTexels.h"
+#include "core/view/NamedLamps.h"
 #include "core/visibility/OccluderScene.h"
+
+#include <glm/mat3x3.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -22,7 +25,8 @@ struct LitRadiance
 };
 
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
-/// lamps is estimated at the point: closed form, times one shadow ray to each; from more than
+/// lamps, of which each is one however it was cut (NamedLamps.h), is estimated at the point: closed
+/// form, times one shadow ray to each; from more than
 /// `MostLamps` so many are drawn, the more often the more they are likely to give. Where many rays
 /// come, that is done for a sample of them, of which texels keep the means. The rest, what reached
 /// the surface by reflections, is taken from the element. So elements need not be fine enough for
@@ -56,7 +60,7 @@ public:
   }
 
 private:
-  struct Lamp
+  struct Face
   {
     Polygon shape;
     Vec3 centre;
@@ -64,7 +68,24 @@ private:
     double radius; ///< around the centre
     double area;
     std::uint32_t facet;
+
+    Face(const Polygon& outline, std::uint32_t itsFacet);
+  };
+  /// One face, or some of a convex surface.
+  struct Lamp
+  {
+    std::vector<Face> faces;
+    Vec3 centre{ 0.0 };
+    double radius = 0.0; ///< around the centre
+    double area = 0.0;
+    Vec3 areaNormal{ 0.0 };       ///< sum over the faces
+    glm::dmat3 areaTensor{ 0.0 }; ///< of area times normal times normal
     Color emission;
+
+    explicit Lamp(const NamedLamp& named);
+    /// Area that is seen from a direction, times the cosine: exact of one face, within a sixth of
+    /// many.
+    double AreaTowards(const Vec3& direction) const;
   };
 
   /// A point that lamps may shine on.
@@ -76,22 +97,25 @@ private:
 
   Color Irradiance(const Hit& hit, RadianceSolution::NodeIndex leaf, std::uint32_t index,
     std::uint64_t seed, std::uint64_t& shadowRays) const;
-  double Likely(const Lamp& lamp, const LitPoint& point) const;
-  double Factor(const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
+  double Likely(std::uint32_t lamp, const LitPoint& point) const;
+  double Factor(std::uint32_t lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed,
     std::uint64_t& shadowRays) const;
+  double Unhidden(std::uint32_t lamp, const LitPoint& point) const;
+  static bool IsAboveHorizon(const Polygon& shape, const LitPoint& point);
+  static const Face& FaceTowards(const Lamp& lamp, const LitPoint& point, double u);
   static Vec3 TargetByDirection(
-    const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
+    const Face& face, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
   static Vec3 TargetByArea(
-    const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
-  Color FromSome(const LitPoint& point, std::uint32_t first, std::uint32_t last,
-    std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
+    const Face& face, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
+  Color FromSome(const LitPoint& point, const NamedLamps::List& lamps, std::uint32_t index,
+    std::uint64_t seed, std::uint64_t& shadowRays) const;
 
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
   LightTexels Texels;
   std::vector<Color> OfElements; ///< indirect radiance of each
-  std::vector<Lamp> Lamps;
-  std::vector<std::uint32_t> LampOfEntry; ///< of each entry of RadianceSolution::lamps
+  NamedLamps Named;
+  std::vector<Lamp> Lamps; ///< of each of these
 };
 
 } // namespace vantage

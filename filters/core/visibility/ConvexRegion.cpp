@@ -141,6 +141,52 @@ std::optional<ConvexRegion> Shaft(const Polygon& a, const Polygon& b, double tol
   return shaft;
 }
 
+ConvexRegion ShaftTo(const Polygon& base, const std::vector<Vec3>& points, double tolerance)
+{
+  ConvexRegion shaft;
+  shaft.low = shaft.high = base[0];
+  const Plane ground = SupportingPlane(base);
+  double highest = 0.0;
+  for (const Vec3& v : base)
+  {
+    shaft.low = glm::min(shaft.low, v);
+    shaft.high = glm::max(shaft.high, v);
+  }
+  for (const Vec3& v : points)
+  {
+    shaft.low = glm::min(shaft.low, v);
+    shaft.high = glm::max(shaft.high, v);
+    highest = std::max(highest, ground.Distance(v));
+  }
+  shaft.Add(ground);
+  shaft.Add({ -ground.normal, -(ground.offset + highest) });
+  for (int i = 0; i < base.Size(); ++i)
+  {
+    // The plane through the edge that is turned outwards until it has all points inside.
+    const Vec3& from = base[i];
+    const Vec3 along = base[(i + 1) % base.Size()] - from;
+    const double length = glm::length(along);
+    if (!(length > tolerance))
+    {
+      continue;
+    }
+    const Vec3 inward = glm::cross(ground.normal, along / length);
+    Vec2 outermost(1.0, 0.0); // the direction of the plane from the edge: inwards, upwards
+    for (const Vec3& v : points)
+    {
+      const Vec2 way(glm::dot(v - from, inward), std::max(ground.Distance(v), 0.0));
+      if (way.y * outermost.x - way.x * outermost.y > 0.0)
+      {
+        outermost = way;
+      }
+    }
+    const Vec2 direction = glm::normalize(outermost);
+    const Vec3 normal = direction.y * inward - direction.x * ground.normal;
+    shaft.Add({ normal, glm::dot(normal, from) });
+  }
+  return shaft;
+}
+
 bool ReachesInto(PolygonView polygon, const ConvexRegion& region, double tolerance)
 {
   // Most polygons lie behind one of the planes, and most planes cut off nothing of the others.

@@ -143,6 +143,79 @@ TEST(DirectLight, HasExactShadows)
     GatherStage(MakeLampOverFloor(Occluders), [](PatchId) { return Color(0.0); }), true);
 }
 
+/// A globe above a floor, past walls, boxes and a ring around it. Oracle: each facet of it as a
+/// lamp by itself, which solutions can name as well.
+Scene MakeGlobeOverFloor()
+{
+  Scene scene = MakeLampOverFloor(
+    { { { -0.6, 0.35, 0.0 }, { 0.2, 0.45, 0.0 }, { 0.2, 0.45, 0.5 }, { -0.6, 0.35, 0.5 } },
+      { { -0.7, -0.1, 0.75 }, { 0.7, -0.1, 0.75 }, { 0.7, 0.1, 0.75 }, { -0.7, 0.1, 0.75 } },
+      { { 0.25, -0.5, 0.5 }, { 0.25, 0.5, 0.5 }, { 0.25, 0.5, 1.1 }, { 0.25, -0.5, 1.1 } } },
+    { { -0.2, -0.3, 3 }, { -0.2, -0.2, 3 }, { -0.1, -0.2, 3 }, { -0.1, -0.3, 3 } });
+  test::AddBox(scene, { -0.6, -0.6, 0.0 }, { -0.3, -0.4, 0.4 }, false, { 2, 2, 2, 2, 2, 2 });
+  test::AddBall(scene, { -0.05, 0.0, 0.9 }, 0.2, 8, 1);
+  return scene;
+}
+
+struct GlobeLight
+{
+  std::vector<Color> light;
+  DirectCounters counters;
+
+  GlobeLight(bool facetByFacet, double tolerance)
+  {
+    GatherStage stage(MakeGlobeOverFloor(), [](PatchId) { return Color(0.0); });
+    PatchId floor = None;
+    for (PatchId p = 0; p < stage.tree.Patches().size(); ++p)
+    {
+      const bool isFloor = stage.facets.facets[p / 2].material == 0;
+      floor = isFloor && stage.Normal(p).z > 0.5 ? p : floor;
+    }
+    std::vector<Vec3> points;
+    for (int i = 0; i < 50 * 50; ++i)
+    {
+      points.emplace_back(-1.0 + (i % 50 + 0.5) / 25.0, -1.0 + (i / 50 + 0.5) / 25.0, 0.0);
+    }
+    RadianceSolution::Element& element =
+      stage.solution.elements[stage.solution.elementOfPatch[floor]];
+    const std::uint32_t last = element.lastLamp;
+    this->light.assign(points.size(), Color(0.0));
+    for (std::uint32_t lamp = facetByFacet ? 0 : last - 1; lamp < last; ++lamp)
+    {
+      element.firstLamp = facetByFacet ? lamp : 0;
+      element.lastLamp = lamp + 1;
+      const std::vector<Color> found =
+        DirectLight(stage.occluders, stage.solution, tolerance).At(floor, points, this->counters);
+      std::transform(this->light.begin(), this->light.end(), found.begin(), this->light.begin(),
+        [](const Color& a, const Color& b) { return a + b; });
+    }
+  }
+};
+
+TEST(DirectLight, AGlobeIsOneLampAndShinesAsItsFacets)
+{
+  const GlobeLight exact(true, 0.0);
+  const GlobeLight whole(false, 0.0);
+  const GlobeLight fitted(false, 0.01);
+  double brightest = 0.0;
+  double sum = 0.0;
+  double error = 0.0;
+  int dark = 0;
+  for (std::size_t i = 0; i < exact.light.size(); ++i)
+  {
+    ASSERT_LT(glm::length(whole.light[i] - exact.light[i]), 1e-9) << i; // round-off
+    brightest = std::max(brightest, exact.light[i].x);
+    sum += exact.light[i].x;
+    error += std::abs(fitted.light[i].x - exact.light[i].x);
+    dark += exact.light[i].x < 0.1 * brightest ? 1 : 0;
+  }
+  EXPECT_GT(dark, 100);
+  EXPECT_LT(error / sum, 0.005); // half of the tolerance in the mean
+  EXPECT_LT(whole.counters.lampEvaluations, exact.counters.lampEvaluations / 30);
+  EXPECT_LT(fitted.counters.lampEvaluations, whole.counters.lampEvaluations);
+  EXPECT_LE(whole.counters.occluderQueries, 2u);
+}
+
 /// Of the floor, with a tolerance against what PointToVisiblePolygon() says.
 struct FloorError
 {

@@ -92,7 +92,8 @@ TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
       continue;
     }
     const Plane front = SupportingPlane(lamp);
-    LampCutter cutter(lamp);
+    const LampSurface surface({ lamp });
+    LampCutter cutter(surface);
     std::vector<Polygon> occluders;
     std::vector<LampCutter::Suspect> all;
     for (int k = 0; k < 5; ++k)
@@ -136,7 +137,8 @@ TEST(LampCutter, FromOutsideABodyCastsItsShadowByHalfOfItsFaces)
     Scene body;
     test::AddBox(body, centre - half, centre + half, i % 2 == 0, { 0, 0, 0, 0, 0, 0 });
     const auto inside = i % 2 == 0 ? Side::Front : Side::Back;
-    LampCutter cutter(lamp);
+    const LampSurface surface({ lamp });
+    LampCutter cutter(surface);
     std::vector<Polygon> faces;
     std::vector<LampCutter::Suspect> suspects;
     for (std::size_t p = 0; p < body.PolygonCount(); ++p)
@@ -163,7 +165,8 @@ TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)
 {
   const Polygon lamp{ { -0.1, -0.1, 1.0 }, { -0.1, 0.1, 1.0 }, { 0.1, 0.1, 1.0 },
     { 0.1, -0.1, 1.0 } };
-  LampCutter cutter(lamp);
+  const LampSurface surface({ lamp });
+  LampCutter cutter(surface);
   const std::uint32_t pane = cutter.AddOccluder(
     { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
   // The shadow core is 0.5 from the middle on.
@@ -174,11 +177,30 @@ TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)
   EXPECT_FALSE(cutter.HidesAll(pane, square(0.51)));
 }
 
+/// Points on both sides of a wall, those on the lamp's side in the plane of the lamp: the wall is
+/// beyond the lamp from there, and leaves it to some of those on the other side.
+TEST(LampCutter, AWallBetweenThePointsDoesNotHideAllFromThem)
+{
+  const Polygon lamp{ { 1.1348, 1.0765, 0.9 }, { 1.1207, 1.0707, 0.8235 },
+    { 1.0914, 1.1414, 0.9 } };
+  const Plane front = SupportingPlane(lamp);
+  const LampSurface surface({ lamp });
+  LampCutter cutter(surface);
+  const std::uint32_t wall = cutter.AddOccluder(ClipToFront(
+    { { 1.25, 0.5, 0.5 }, { 1.25, 1.5, 0.5 }, { 1.25, 1.5, 1.1 }, { 1.25, 0.5, 1.1 } }, front));
+  const Polygon points = ClipToFront(
+    { { 0.02, 0.02, 0.0 }, { 1.98, 0.02, 0.0 }, { 1.98, 1.98, 0.0 }, { 0.02, 1.98, 0.0 } }, front);
+  LampCutter::Shadows shadows;
+  EXPECT_GT(cutter.Seen({ 1.38, 1.34 }, { { wall } }, shadows).value(), 1e-3);
+  EXPECT_FALSE(cutter.HidesAll(wall, points));
+}
+
 TEST(LampCutter, AShadowIsSharpWhereItsEdgeFallsBetweenPoints)
 {
   const Polygon lamp{ { -0.1, -0.1, 1.0 }, { -0.1, 0.1, 1.0 }, { 0.1, 0.1, 1.0 },
     { 0.1, -0.1, 1.0 } };
-  LampCutter cutter(lamp);
+  const LampSurface surface({ lamp });
+  LampCutter cutter(surface);
   const std::uint32_t pane = cutter.AddOccluder(
     { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
   const std::uint32_t upright = cutter.AddOccluder(

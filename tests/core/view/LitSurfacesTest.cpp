@@ -2,6 +2,7 @@
 
 #include "core/formfactor/FormFactor.h"
 #include "core/view/LampsOverFloor.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,55 @@ TEST(LitSurfaces, OfAHalfHiddenLampHalfIsSeen)
     ASSERT_GT(found.error, 0.0);
     EXPECT_NEAR(found.mean - Reflected.x, 0.5 * all, 4.0 * found.error) << "seed " << seed;
   }
+}
+
+/// A globe is one lamp: it takes one ray, and its closed form.
+TEST(LitSurfaces, AGlobeIsOneLamp)
+{
+  Scene scene = MakeFloorBelowLamps(0);
+  AddBall(scene, Vec3(0.3, 0.2, 1.0), 0.25, 12, 1);
+  const GatherStage stage(scene, AllButEmission);
+  ASSERT_EQ(stage.solution.lamps.size(), 528u);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  std::uint64_t shadowRays = 0;
+  const LitRadiance found = lit.Radiance(FloorHit(stage), 0, 1, shadowRays);
+  EXPECT_EQ(shadowRays, 1u);
+  EXPECT_NEAR(found.direct.x, Unhidden(stage).x, 1e-12); // round-off
+}
+
+/// Half hidden by the plane through the point and its middle, which parts what it gives in halves.
+TEST(LitSurfaces, OfAHalfHiddenGlobeHalfIsSeen)
+{
+  Scene scene = MakeFloorBelowLamps(0);
+  AddBall(scene, Vec3(0.0, 0.0, 1.0), 0.25, 12, 1);
+  AddSquare(scene, Vec3(1.0, 0.0, 0.5), 2.0, 0);
+  const GatherStage stage(scene, AllButEmission);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const double all = Unhidden(stage).x;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const MeanRadiance found(stage, lit, 1024, seed);
+    ASSERT_GT(found.error, 0.0);
+    EXPECT_NEAR(found.mean - Reflected.x, 0.5 * all, 4.0 * found.error) << "seed " << seed;
+  }
+}
+
+/// Globes far and near in a circle, of which a few are drawn; three are half below the floor.
+TEST(LitSurfaces, SomeOfManyGlobesStandForAll)
+{
+  Scene scene = MakeFloorBelowLamps(0);
+  for (int i = 0; i < 12; ++i)
+  {
+    const double angle = Pi * i / 6.0;
+    const double distance = 0.6 + 0.2 * (i % 5);
+    AddBall(scene, Vec3(distance * std::cos(angle), distance * std::sin(angle), 0.25 * (i % 4)),
+      0.12, 5, 1);
+  }
+  const GatherStage stage(scene, AllButEmission);
+  const LitSurfaces lit(stage.occluders, stage.solution);
+  const MeanRadiance found(stage, lit, 4096, 1);
+  EXPECT_EQ(found.shadowRays / 4096, 8u);
+  EXPECT_NEAR(found.mean - Reflected.x, Unhidden(stage).x, 4.0 * found.error);
 }
 
 /// A large lamp close by, most of which is hidden: what is left counts by what it gives, not by its

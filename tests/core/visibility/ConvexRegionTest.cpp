@@ -73,6 +73,37 @@ TEST(Shaft, HoldsAllSegmentsAndHasASupportingPlaneAtEveryEdge)
   EXPECT_GT(shafts, 500);
 }
 
+TEST(Shaft, ToPointsHoldsAllSegmentsAndLeavesOutWhatIsBeside)
+{
+  for (std::uint64_t seed = 0; seed < 500; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomStream random(seed);
+    const Polygon base{ RandomPoint(random), RandomPoint(random), RandomPoint(random) };
+    const Plane ground = SupportingPlane(base);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 20; ++i)
+    {
+      const Vec3 point = RandomPoint(random);
+      points.push_back(
+        point + std::max(0.0, -2.0 * ground.Distance(point)) * ground.normal); // to the front
+    }
+    const ConvexRegion shaft = ShaftTo(base, points, Tolerance);
+    double reach = 0.0;
+    for (const Vec3& point : points)
+    {
+      reach = std::max(reach, ground.Distance(point));
+      ASSERT_TRUE(Holds(shaft, base[0] + random.Next() * (point - base[0])));
+      ASSERT_TRUE(Holds(shaft, Centroid(base) + random.Next() * (point - Centroid(base))));
+    }
+    // Beyond a corner of the base, below it, and above all points.
+    const Vec3 middle = Centroid(base);
+    ASSERT_FALSE(Holds(shaft, middle + 1.01 * (base[0] - middle)));
+    ASSERT_FALSE(Holds(shaft, middle - 0.01 * ground.normal));
+    ASSERT_FALSE(Holds(shaft, middle + 1.01 * reach * ground.normal));
+  }
+}
+
 TEST(ReachesInto, TouchingIsNotEnough)
 {
   ConvexRegion box = BoxRegion({ 0, 0, 0 }, { 1, 1, 1 }, -0.5 * Tolerance);
