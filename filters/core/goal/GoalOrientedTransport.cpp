@@ -389,7 +389,7 @@ std::vector<double> GoalOrientedTransport::Evaluate(const std::vector<LinkReques
     Link& link = result.link;
     link.step = this->Counts.rounds;
     throughputs.push_back(link.throughput);
-    const bool hasCluster = KindOf(this->Open, link) == WithCluster;
+    const bool hasCluster = HasCluster(this->Open, link);
     ++(hasCluster ? this->Counts.clusterPairs : this->Counts.surfacePairs);
     this->Counts.linkRays += result.rays;
     this->Counts.certified += result.rays == 0 && !hasCluster && !result.isKnownHidden ? 1 : 0;

@@ -32,7 +32,7 @@ double Rule(double rays)
 
 bool HiddenLight::Concerns(const OpenTree& tree, const Link& link)
 {
-  return link.visibility == 0.0 && !link.IsSelf() && KindOf(tree, link) == WithCluster;
+  return link.visibility == 0.0 && !link.IsSelf() && HasCluster(tree, link);
 }
 
 /// Of the most that the links of a bin could carry.

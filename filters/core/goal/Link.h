@@ -33,8 +33,8 @@ struct Link
   bool IsSelf() const { return this->ends[0] == this->ends[1]; }
 };
 
-/// Of links between surfaces only the shadows are uncertain; of those with a cluster at an end next
-/// to nothing is certain, unless it is part of a curved surface.
+/// Of links between surfaces, flat or curved, a few rays tell most; of those with a cluster of
+/// several surfaces at an end next to nothing is certain.
 enum LinkKind : std::size_t
 {
   BetweenSurfaces,
@@ -44,8 +44,15 @@ constexpr std::array<LinkKind, 2> LinkKinds{ BetweenSurfaces, WithCluster };
 
 inline LinkKind KindOf(const OpenTree& tree, const Link& link)
 {
-  return tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster() ? WithCluster
-                                                                          : BetweenSurfaces;
+  return tree.Geometry(link.ends[0]).IsSmooth() && tree.Geometry(link.ends[1]).IsSmooth()
+           ? BetweenSurfaces
+           : WithCluster;
+}
+
+/// Whether an end is a cluster, if only of the parts of one curved surface.
+inline bool HasCluster(const OpenTree& tree, const Link& link)
+{
+  return tree[link.ends[0]].IsCluster() || tree[link.ends[1]].IsCluster();
 }
 
 } // namespace vantage

@@ -55,7 +55,7 @@ LinkErrors::LinkErrors(const OpenTree& tree, const std::vector<Link>& links, con
   for (OpenId id = 0; id < tree.Size(); ++id)
   {
     NodeValues& node = this->Nodes[id];
-    node.isCluster = tree[id].IsCluster();
+    node.isSurface = tree.Geometry(id).IsSmooth();
     node.radiance = Mean(radiance.Value(id));
     node.radianceSpread = radiance.Spread(id);
     node.importance = Mean(importance.Received(id));
@@ -102,10 +102,13 @@ LinkErrors::Parts LinkErrors::PartsOf(
   Parts parts;
   const LinkKind kind = KindOf(tree, link);
   const double closed = this->Closed(link, kind);
-  const bool isCurved = kind == WithCluster && link.variation > 0.0;
+  const bool hasCluster = HasCluster(tree, link);
+  // Of curved surfaces, some of which were found to see each other.
+  const bool isCurved = hasCluster && link.variation > 0.0;
   const double variation = closed * (link.variation + link.shadowing);
   const double uncertainty =
     closed * link.uncertainty * (HiddenLight::Concerns(tree, link) ? hidden.Doubt(link) : 1.0);
+  const double missed = isCurved ? variation : uncertainty;
   for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
   {
     const NodeValues& to = this->Nodes[link.ends[end]];
@@ -113,13 +116,11 @@ LinkErrors::Parts LinkErrors::PartsOf(
     // The radiance that errs with all importance that is received. A named lamp errs with what has
     // come over two reflections or more: it is integrated where the gather looks up the rest.
     const double radiance =
-      from.isCluster ? from.radiance : from.radiance - to.straight * from.emission;
-    const double unnamed = from.isCluster ? from.emission : 0.0;
-    // Lamps are to get their names, on curved surfaces as well.
-    const double missed = isCurved && unnamed == 0.0 ? variation : uncertainty;
+      from.isSurface ? from.radiance - to.straight * from.emission : from.radiance;
+    const double unnamed = from.isSurface ? 0.0 : from.emission;
     const double unknown =
       missed * (radiance + from.radianceSpread) * (to.importance + to.importanceSpread);
-    if (kind == WithCluster)
+    if (hasCluster)
     {
       parts.ofClusters +=
         OfClusters * unknown + OfUnnamed * missed * unnamed * to.sourceOfImportance;
@@ -159,14 +160,14 @@ void LinkErrors::Follow(const OpenTree& tree, const Flow& radiance, const Flow& 
     const NodeValues& parent = this->Nodes[tree[id].parent];
     const double received = parent.radiance - parent.emission;
     NodeValues node;
-    node.isCluster = tree[id].IsCluster();
+    node.isSurface = tree.Geometry(id).IsSmooth();
     node.closure = parent.closure;
     node.emission = Mean(radiance.Source(id));
     node.radiance = node.emission + received;
     node.importance = parent.importance;
     node.straight = parent.straight;
     node.sourceOfImportance = importance.RmsOfSource(id);
-    if (node.isCluster)
+    if (tree[id].IsCluster())
     {
       const Node& cluster = tree.Geometry(id);
       node.radianceSpread =

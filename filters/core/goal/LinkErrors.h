@@ -19,7 +19,7 @@ namespace vantage
 /// - What cluster links do not know is of one sign: radiance and importance both lie where the view
 ///   is, and their means over clusters say less than that. So these parts add up as they are, and
 ///   with them the lamps in clusters, which light what the eye sees without being known by name. Of
-///   parts of curved surfaces without a lamp it is only what varies over them.
+///   parts of curved surfaces it is only what varies over them.
 /// - That radiance, or importance, varies within an end where the kernel or the visibility vary as
 ///   well has the same sign for all links of that end: mean(L P) is not mean(L) mean(P). These add
 ///   up over the links of a node, at either end; over the nodes partly so, and partly as squares.
@@ -61,7 +61,7 @@ private:
     double straight = 0.0;           ///< part of the importance that came over one reflection
     double sourceOfImportance = 0.0; ///< root mean square
     OfKinds<double> closure{};
-    bool isCluster = false;
+    bool isSurface = false;  ///< flat or curved: its lamps have names
     double atReceiver = 0.0; ///< sums over its links
     double atShooter = 0.0;
   };

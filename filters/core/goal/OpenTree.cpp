@@ -20,37 +20,6 @@ constexpr std::uint32_t ProbesOfCluster = 64;
 /// A point from which so many rays in turn meet inactive sides is inside something.
 constexpr int RaysToTellCovered = 4;
 
-/// What the rays from points of a surface met.
-struct ProbeResult
-{
-  std::uint32_t exposed = 0; ///< points in the air
-  std::uint32_t escaped = 0; ///< of those, whose first ray met no side that takes part
-  std::uint32_t rays = 0;
-};
-
-/// The i-th of the points of a node, each with its own direction.
-void ProbePoint(const OpenTree& tree, const OccluderScene& occluders, const Polygon& shape,
-  const Patch& patch, std::uint64_t seed, std::uint32_t i, ProbeResult& result)
-{
-  const Frame frame(patch.normal);
-  const std::array<double, 4> u = ScrambledSobol4(i, seed);
-  const Vec3 point = PointAt(shape, { u[0], u[1] });
-  RandomStream random(seed, i);
-  for (int k = 0; k < RaysToTellCovered; ++k)
-  {
-    ++result.rays;
-    const Vec2 v = k == 0 ? Vec2(u[2], u[3]) : random.Next2();
-    const auto hit = occluders.Intersect(point, frame.ToWorld(CosineHemisphere(v)), patch.facet);
-    const bool isActive = hit && tree.Tree().Patches()[hit->Patch()].IsActive();
-    if (!hit || isActive)
-    {
-      ++result.exposed;
-      result.escaped += isActive && k == 0 ? 0 : 1;
-      return;
-    }
-  }
-}
-
 } // namespace
 
 OpenTree::OpenTree(
@@ -179,12 +148,13 @@ void OpenTree::Measure(OpenNode& node) const
 
 void OpenTree::Probe(OpenNode& node)
 {
-  if (node.IsCluster())
+  if (!this->Elements[node.node].IsSmooth())
   {
     this->ProbeCluster(node);
     return;
   }
-  const bool isPartOfSurface = node.parent != None && !this->Nodes[node.parent].IsCluster();
+  const bool isPartOfSurface =
+    node.parent != None && this->Elements[this->Nodes[node.parent].node].IsSmooth();
   if (isPartOfSurface)
   {
     const OpenNode& parent = this->Nodes[node.parent];
@@ -196,20 +166,61 @@ void OpenTree::Probe(OpenNode& node)
     }
   }
   const std::uint32_t points = isPartOfSurface ? ProbesOfElement : ProbesOfPatch;
-  const Polygon shape = this->Elements.Shape(node.node);
-  const Patch& patch = this->Elements.Patches()[node.patch];
-  ProbeResult met;
-  for (std::uint32_t i = 0; i < points; ++i)
-  {
-    ProbePoint(*this, *this->Occluders, shape, patch, Hash(node.node), i, met);
-  }
-  this->Rays += met.rays;
+  const ProbeResult met = this->ProbePoints(node, points);
   node.area *= static_cast<double>(met.exposed) / points;
   if (met.escaped > 0)
   {
     node.escaped = static_cast<double>(met.escaped) / met.exposed;
     node.escapeError =
       2.0 * std::sqrt((node.escaped * (1.0 - node.escaped) + 1.0 / met.exposed) / met.exposed);
+  }
+}
+
+/// Points of a surface, drawn by area from the patches of a curved one.
+OpenTree::ProbeResult OpenTree::ProbePoints(const OpenNode& node, std::uint32_t points)
+{
+  const std::uint64_t seed = Hash(node.node);
+  ProbeResult met;
+  for (std::uint32_t i = 0; i < points; ++i)
+  {
+    if (node.IsCluster())
+    {
+      const PatchRange range = this->Order.RangeOf(node.node);
+      const Patch& drawn =
+        this->Elements.Patches()[this->Order.ByArea(range, ScrambledSobol(i, Hash(seed, 0)).x)];
+      this->ProbePoint(this->Elements.Shape(drawn.node), drawn, seed, i, met);
+    }
+    else
+    {
+      this->ProbePoint(
+        this->Elements.Shape(node.node), this->Elements.Patches()[node.patch], seed, i, met);
+    }
+  }
+  this->Rays += met.rays;
+  return met;
+}
+
+/// The i-th of the points of a node, each with its own direction.
+void OpenTree::ProbePoint(const Polygon& shape, const Patch& patch, std::uint64_t seed,
+  std::uint32_t i, ProbeResult& result) const
+{
+  const Frame frame(patch.normal);
+  const std::array<double, 4> u = ScrambledSobol4(i, seed);
+  const Vec3 point = PointAt(shape, { u[0], u[1] });
+  RandomStream random(seed, i);
+  for (int k = 0; k < RaysToTellCovered; ++k)
+  {
+    ++result.rays;
+    const Vec2 v = k == 0 ? Vec2(u[2], u[3]) : random.Next2();
+    const auto hit =
+      this->Occluders->Intersect(point, frame.ToWorld(CosineHemisphere(v)), patch.facet);
+    const bool isActive = hit && this->Elements.Patches()[hit->Patch()].IsActive();
+    if (!hit || isActive)
+    {
+      ++result.exposed;
+      result.escaped += isActive && k == 0 ? 0 : 1;
+      return;
+    }
   }
 }
 
@@ -229,7 +240,7 @@ void OpenTree::ProbeCluster(OpenNode& node)
   {
     const PatchId patch = this->Order.ByArea(range, ScrambledSobol(i, Hash(seed, 0)).x);
     const Patch& drawn = this->Elements.Patches()[patch];
-    ProbePoint(*this, *this->Occluders, this->Elements.Shape(drawn.node), drawn, seed, i, met);
+    this->ProbePoint(this->Elements.Shape(drawn.node), drawn, seed, i, met);
   }
   this->Rays += met.rays;
   if (met.exposed > 0 && met.escaped == 0)

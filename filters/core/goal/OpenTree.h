@@ -57,7 +57,8 @@ public:
   void SetView(std::vector<ViewSample> samples);
 
   /// Makes the children of a node; nothing happens when it has some. Those of a patch or element
-  /// are probed for what covers them, clusters in a closed one for whether they are closed as well.
+  /// are probed for what covers them, as are parts of a curved surface; other clusters in a closed
+  /// one for whether they are closed as well.
   /// \pre MaySplit
   void Open(OpenId id);
 
@@ -82,7 +83,17 @@ public:
 private:
   OpenNode Make(NodeId node, OpenId parent) const;
   void Measure(OpenNode& node) const;
+  /// What the rays from points of a surface met.
+  struct ProbeResult
+  {
+    std::uint32_t exposed = 0; ///< points in the air
+    std::uint32_t escaped = 0; ///< of those, whose first ray met no side that takes part
+    std::uint32_t rays = 0;
+  };
   void Probe(OpenNode& node);
+  ProbeResult ProbePoints(const OpenNode& node, std::uint32_t points);
+  void ProbePoint(const Polygon& shape, const Patch& patch, std::uint64_t seed, std::uint32_t i,
+    ProbeResult& result) const;
   void ProbeCluster(OpenNode& node);
   void HandDownSamples(OpenId id);
   void SumEmissionInView();

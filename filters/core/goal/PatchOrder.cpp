@@ -22,22 +22,25 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
   : Ranges(tree.Size())
   , Places(tree.Patches().size(), None)
 {
-  const auto visit = [&](const auto& self, NodeId node) -> void
+  std::vector<std::uint32_t> surfaces; // of each place: the smooth cluster it is in, or itself
+  const auto visit = [&](const auto& self, NodeId node, NodeId surface) -> void
   {
     const auto first = static_cast<std::uint32_t>(this->Patches.size());
+    const NodeId itsSurface = surface == None && tree[node].IsSmooth() ? node : surface;
     if (tree[node].IsCluster())
     {
-      self(self, tree[node].firstChild);
-      self(self, tree[node].firstChild + 1);
+      self(self, tree[node].firstChild, itsSurface);
+      self(self, tree[node].firstChild + 1, itsSurface);
     }
     else
     {
+      surfaces.push_back(itsSurface);
       this->Places[tree[node].patch] = first;
       this->Patches.push_back(tree[node].patch);
     }
     this->Ranges[node] = { first, static_cast<std::uint32_t>(this->Patches.size()) };
   };
-  visit(visit, tree.Root());
+  visit(visit, tree.Root(), None);
   const std::size_t count = this->Patches.size() + 1;
   this->AreaBefore.reserve(count);
   this->PowerBefore.reserve(count);
@@ -62,6 +65,10 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
     this->EmissionBefore.push_back(this->EmissionBefore.back() + area * surface.emission);
     if (emission > 0.0)
     {
+      const bool isNext =
+        this->LampPlaces.empty() || surfaces[this->LampPlaces.back()] != surfaces[place];
+      this->LampNumbers.push_back(
+        (this->LampNumbers.empty() ? 0 : this->LampNumbers.back()) + (isNext ? 1 : 0));
       this->LampPlaces.push_back(place);
     }
   }
@@ -111,7 +118,8 @@ std::vector<PatchId> PatchOrder::LampsIn(const PatchRange& range) const
 std::size_t PatchOrder::Bytes() const
 {
   return this->Ranges.capacity() * sizeof(PatchRange) +
-         (this->Patches.capacity() + this->Places.capacity() + this->LampPlaces.capacity()) *
+         (this->Patches.capacity() + this->Places.capacity() + this->LampPlaces.capacity() +
+           this->LampNumbers.capacity()) *
            sizeof(std::uint32_t) +
          3 * this->AreaBefore.capacity() * sizeof(double) +
          2 * this->AlbedoBefore.capacity() * sizeof(Color);

@@ -50,10 +50,12 @@ public:
 
   /// Those of a range that emit.
   std::vector<PatchId> LampsIn(const PatchRange& range) const;
-  /// How many. O(log lamps).
+  /// How many, where those that are one surface (Node::IsSmooth) count once. O(log lamps).
   std::uint32_t LampCount(const PatchRange& range) const
   {
-    return this->LampsBefore(range.last) - this->LampsBefore(range.first);
+    const std::uint32_t first = this->LampsBefore(range.first);
+    const std::uint32_t last = this->LampsBefore(range.last);
+    return first < last ? this->LampNumbers[last - 1] - this->LampNumbers[first] + 1 : 0;
   }
 
   /// A patch drawn from a range, half of the chances by area and half by emitted power (all by area
@@ -86,7 +88,8 @@ private:
   std::vector<double> SquareBefore;  ///< area times squared mean emission
   std::vector<Color> AlbedoBefore;
   std::vector<Color> EmissionBefore;
-  std::vector<std::uint32_t> LampPlaces; ///< of the patches that emit; ascending
+  std::vector<std::uint32_t> LampPlaces;  ///< of the patches that emit; ascending
+  std::vector<std::uint32_t> LampNumbers; ///< of these; the same on one curved surface
 };
 
 } // namespace vantage

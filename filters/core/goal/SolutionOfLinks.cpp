@@ -66,7 +66,7 @@ private:
       return;
     }
     const Color irradiance = link.throughput / this->Tree[to].area * lamp.emission;
-    if (lamp.IsCluster() && !this->IsWorthNames(from, to, irradiance))
+    if (!this->IsWorthNames(from, to, irradiance))
     {
       this->Direct[to].unnamed += irradiance;
     }
@@ -86,11 +86,15 @@ private:
              : std::vector<PatchId>{ this->Tree[id].patch };
   }
 
-  /// Of a cluster: whether its lamps shall be known one by one.
-  bool IsWorthNames(OpenId cluster, OpenId to, const Color& irradiance) const
+  /// Whether lamps shall be known by name: those of a surface, flat or curved, are.
+  bool IsWorthNames(OpenId lamps, OpenId to, const Color& irradiance) const
   {
+    if (this->Tree.Geometry(lamps).IsSmooth())
+    {
+      return true;
+    }
     const double reflected = Mean(this->Tree[to].albedo) / Pi * Mean(irradiance);
-    return this->Tree.Patches().LampCount(this->Tree.RangeOf(cluster)) <= FewLamps &&
+    return this->Tree.Patches().LampCount(this->Tree.RangeOf(lamps)) <= FewLamps &&
            reflected >= LeastToName * Mean(this->Transport.Radiance().Received(to));
   }
 

@@ -10,7 +10,8 @@ namespace vantage
 {
 
 /// A lamp is named on an element when a link to it, or to a part of it, lets light pass or may do
-/// so; lamps in clusters that were not looked into are in `unnamedDirect`.
+/// so, and so are all that are parts of one curved surface; lamps in other clusters that were not
+/// looked into, unless they are few, are in `unnamedDirect`.
 /// O(nodes + links + patches). \pre the transport is solved
 RadianceSolution SolutionOfLinks(const GoalOrientedTransport& transport);
 

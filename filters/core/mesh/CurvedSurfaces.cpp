@@ -11,7 +11,7 @@ namespace vantage
 namespace
 {
 
-constexpr double SmoothEdge = 0.94; ///< cosine
+constexpr double SmoothEdge = 0.85; ///< cosine: a tube of twelve strips is smooth, of ten it is not
 
 Side Opposite(Side side)
 {
@@ -86,7 +86,7 @@ void FindBends(std::vector<Node>& nodes, const std::vector<Patch>& patches,
     below[id].surface = first.surface == second.surface ? first.surface : None;
     const double mean = glm::length(below[id].areaNormal) / node.area;
     const double sine = std::sqrt(std::max(0.0, 1.0 - mean * mean));
-    node.SetBend(below[id].surface != None ? sine : 1.0);
+    node.SetBend(below[id].surface != None ? std::min(sine, Node::LargestBend) : 1.0);
   }
 }
 

@@ -12,7 +12,7 @@ namespace vantage
 {
 
 /// For each patch the smallest one of its curved surface: sides of one material that share edges,
-/// each with the next, and turn by less than 20 degrees there. Where a third facet meets the edge
+/// each with the next, and turn by less than 32 degrees there. Where a third facet meets the edge
 /// they are two. What is flat is curved as well, by nothing. `edges` of the facets. O(n).
 std::vector<PatchId> CurvedSurfacesOf(
   const FacetSet& facets, const std::vector<FacetEdge>& edges, const std::vector<Patch>& patches);

@@ -62,8 +62,11 @@ struct Node
   Polygon Shape() const;
   /// How much normals vary, 0 .. 1: sqrt(1 - m^2), where m is the length of the mean normal. 0 of
   /// what is flat, 1 of clusters whose patches are not all of one curved surface
-  /// (CurvedSurfaces.h). Never too small, and by less than 1/255 too large.
+  /// (CurvedSurfaces.h). By less than 1/255 too large, and never too small up to LargestBend, which
+  /// a surface has that looks in all directions.
   double Bend() const { return this->bend / 255.0; }
+  static constexpr double LargestBend = 254.0 / 255.0;
+  /// Whether it is a surface: flat, or one curved one, or a part of it.
   bool IsSmooth() const { return this->bend < 255; }
   void SetBend(double value);
 

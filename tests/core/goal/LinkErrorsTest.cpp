@@ -153,19 +153,13 @@ TEST(LinkErrors, WhatALinkCostsIsWhatTheSquareLosesWithoutIt)
     1e-12 * both.All() * both.All());
 }
 
-TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
+/// The error of uncertain links from a lamp to what the eye sees.
+double ErrorFromLamp(const OpenTree& tree, OpenId lamp, OpenId seen, int links)
 {
-  // A lamp in a cluster that was not looked into, and a surface that the eye sees.
-  const test::Stage stage(test::MakeLitBox());
-  OpenTree tree = stage.MakeOpenTree();
-  tree.Open(0);
-  ASSERT_TRUE(tree[1].IsCluster() && tree[2].IsCluster());
-  const OpenId lamps = Mean(tree[1].emission) > 0.0 ? 1 : 2;
-  const OpenId seen = 3 - lamps;
   Flow radiance, importance;
   radiance.Follow(tree);
   importance.Follow(tree);
-  radiance.SetSource(lamps, tree[lamps].emission, tree[lamps].emissionRms);
+  radiance.SetSource(lamp, tree[lamp].emission, tree[lamp].emissionRms);
   importance.SetSource(seen, Color(0.1), 0.1); // evenly: nothing else can err
   const LinkMatrix matrix(tree, {});
   const Closure closure = test::NoClosure(tree);
@@ -175,13 +169,47 @@ TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
   importance.FindSpreads(tree, matrix, {});
   importance.FindStraight(matrix, closure);
   Link link;
-  link.ends = { 1, 2 };
+  link.ends = { std::min(lamp, seen), std::max(lamp, seen) };
   link.throughput = 0.2;
   link.uncertainty = 0.4;
-  const double once = LinkErrors(tree, { link }, radiance, importance, closure).All();
-  const double thrice = LinkErrors(tree, { link, link, link }, radiance, importance, closure).All();
+  const std::vector<Link> all(static_cast<std::size_t>(links), link);
+  return LinkErrors(tree, all, radiance, importance, closure).All();
+}
+
+TEST(LinkErrors, LampsWithoutANameErrByTheirSum)
+{
+  // A lamp in a cluster that was not looked into, and a surface that the eye sees.
+  const test::Stage stage(test::MakeLitBox());
+  OpenTree tree = stage.MakeOpenTree();
+  tree.Open(0);
+  ASSERT_TRUE(tree[1].IsCluster() && tree[2].IsCluster());
+  const OpenId lamps = Mean(tree[1].emission) > 0.0 ? 1 : 2;
+  const double once = ErrorFromLamp(tree, lamps, 3 - lamps, 1);
   EXPECT_GE(once, 0.1 * 0.4 * Mean(tree[lamps].emission) * 0.1);
-  EXPECT_NEAR(thrice, 3.0 * once, 1e-12 * once);
+  EXPECT_NEAR(ErrorFromLamp(tree, lamps, 3 - lamps, 3), 3.0 * once, 1e-12 * once);
+}
+
+/// What a gather integrates at what the eye sees does not err there.
+TEST(LinkErrors, ALampOfManyFacetsHasAName)
+{
+  Scene scene = test::MakeLitBox();
+  scene.materials.push_back(test::MakeMaterial(Color(0.5), Color(8.0), false));
+  test::AddBall(scene, Vec3(0.5), 0.1, 8, static_cast<std::uint32_t>(scene.materials.size() - 1));
+  const test::Stage stage(scene);
+  OpenTree tree = stage.MakeOpenTree();
+  OpenId ball = 0;
+  for (; !tree.Geometry(ball).IsSmooth() || !tree[ball].IsCluster(); ++ball)
+  {
+    tree.Open(ball);
+  }
+  ASSERT_GT(Mean(tree[ball].emission), 0.0);
+  EXPECT_EQ(tree.Patches().LampCount(tree.RangeOf(ball)), 1u);
+  OpenId wall = 0;
+  while (tree[wall].IsCluster())
+  {
+    tree.Open(wall++);
+  }
+  EXPECT_EQ(ErrorFromLamp(tree, ball, wall, 1), 0.0);
 }
 
 /// The error of a link from a cluster to what the eye sees, by what is known of it.
@@ -209,11 +237,6 @@ TEST(LinkErrors, PartsOfCurvedSurfacesErrByTheirVariation)
   EXPECT_GT(uncertain, 0.0);
   EXPECT_NEAR(ErrorFromCluster(false, 0.02, 0.5), uncertain, 1e-12 * uncertain);
   EXPECT_NEAR(ErrorFromCluster(false, 0.01, 0.5), 0.5 * uncertain, 1e-12 * uncertain);
-}
-
-TEST(LinkErrors, LampsOnCurvedSurfacesAreUncertainUntilTheyAreNamed)
-{
-  EXPECT_GT(ErrorFromCluster(true, 1e-4, 0.02), 0.8 * ErrorFromCluster(true, 0.0, 0.02));
 }
 
 TEST(LinkErrors, WhatTheClosureMultipliesErrsByAsMuch)

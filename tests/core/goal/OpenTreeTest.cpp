@@ -315,6 +315,26 @@ TEST(OpenTree, WhatEscapesFromAnOpenBoxIsTheFormFactorOfTheLid)
   }
 }
 
+/// Half of what a ball in the open sees is the ground, but for the border of that.
+TEST(OpenTree, WhatEscapesFromACurvedSurfaceIsProbedAsOfOthers)
+{
+  Scene scene;
+  scene.materials = { test::MakeMaterial(Color(0.5), Color(0.0), false) };
+  scene.AddPolygon({ { -90, -90, 0 }, { 90, -90, 0 }, { 90, 90, 0 }, { -90, 90, 0 } }, 0);
+  test::AddBall(scene, { 0.0, 0.0, 1.0 }, 0.5, 8, 0);
+  const test::Stage stage(scene);
+  OpenTree tree = stage.MakeOpenTree();
+  EXPECT_TRUE(tree[0].IsUnprobed());
+  OpenId ball = 0;
+  for (; !tree.Geometry(ball).IsSmooth() || !tree[ball].IsCluster(); ++ball)
+  {
+    tree.Open(ball);
+  }
+  EXPECT_NEAR(tree[ball].escaped, 0.5, 1.5 * tree[ball].escapeError); // two standard deviations
+  EXPECT_LT(tree[ball].escapeError, 0.15);
+  EXPECT_EQ(tree[ball].area, tree.Geometry(ball).area);
+}
+
 TEST(OpenTree, OtherMaterialsChangeOpticsOnly)
 {
   const test::Stage stage(MakeCoveredFloor());

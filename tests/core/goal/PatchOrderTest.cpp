@@ -66,6 +66,28 @@ TEST(PatchOrder, KnowsTheLampsOfEveryNode)
   }
 }
 
+TEST(PatchOrder, ALampThatWasCutDoesNotCountByItsFacets)
+{
+  Scene scene = TwoRooms();
+  const auto lamps = [](const Scene& of)
+  {
+    const Ordered o(of);
+    const PatchRange all = o.order.RangeOf(o.tree.Root());
+    return std::pair<std::size_t, std::uint32_t>(
+      o.order.LampsIn(all).size(), o.order.LampCount(all));
+  };
+  const auto [facets, count] = lamps(scene);
+  scene.materials.push_back(test::MakeMaterial(Color(0.5), Color(8.0), false));
+  const auto shining = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  test::AddBall(scene, { 1.0, 1.0, 1.0 }, 0.1, 8, shining);
+  test::AddBall(scene, { 1.5, 1.5, 1.0 }, 0.1, 12, shining);
+  const auto [facetsWithBalls, countWithBalls] = lamps(scene);
+  EXPECT_EQ(facetsWithBalls, facets + 224 + 528);
+  // Once, or twice where clusters part a ball before they know that it is one.
+  EXPECT_GE(countWithBalls, count + 2);
+  EXPECT_LE(countWithBalls, count + 4);
+}
+
 TEST(PatchOrder, RangesOfChildrenPartitionThatOfTheirParent)
 {
   const Ordered o(TwoRooms());

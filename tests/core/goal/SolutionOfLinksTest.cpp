@@ -116,6 +116,27 @@ TEST(SolutionOfLinks, FewLampsAreNamedBeforeAnythingWasLookedInto)
   EXPECT_LT(Mean(s.solution.elements[0].indirect), Mean(s.solution.elements[0].reflected));
 }
 
+/// However many facets it has, and however little it gives.
+TEST(SolutionOfLinks, ALampThatWasCutIsNamedAsAWhole)
+{
+  Scene scene = test::MakeFurnishedRoom();
+  scene.materials.push_back(test::MakeMaterial(Color(0.0), Color(0.01), false));
+  test::AddBall(
+    scene, { 0.7, 0.7, 0.7 }, 0.1, 16, static_cast<std::uint32_t>(scene.materials.size() - 1));
+  for (const int rounds : { 0, 2, 5 })
+  {
+    const Solved s(scene, rounds, 1.0);
+    std::size_t names = 0;
+    for (const OpenId leaf : test::LeavesOf(s.Tree()))
+    {
+      const RadianceSolution::Element& element = s.solution.elements[leaf];
+      EXPECT_EQ(element.unnamedDirect, Color(0.0)) << "node " << leaf;
+      names = std::max<std::size_t>(names, element.lastLamp - element.firstLamp);
+    }
+    EXPECT_GE(names, 960u) << rounds << " rounds";
+  }
+}
+
 /// For each lamp and leaf: light is counted once, under a name or without.
 TEST(SolutionOfLinks, LampsAreNamedOrTheirLightIsUnnamed)
 {
