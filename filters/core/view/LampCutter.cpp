@@ -13,8 +13,6 @@ namespace
 
 /// Parts that are cut by a shadow, in all: they take about twice the time of two hundred rays.
 constexpr std::size_t MostEffort = 4000;
-/// Of a face: what rounding leaves between shadows of neighbours.
-constexpr double LargestSliver = 1e-12;
 /// What is nearer to a plane than this touches it.
 constexpr double Touching = 1e-10;
 
@@ -269,120 +267,6 @@ bool LampCutter::IsSharp(std::uint32_t index, const Polygon& points) const
   return false;
 }
 
-/// The part on one side of a line, by the heights of the corners above it: `side` is 1 or -1. There
-/// are corners on either side.
-void LampCutter::CutAt(const Flat& whole, const Heights& heights, double side, Flat& cut)
-{
-  cut.count = 0;
-  int last = whole.count - 1;
-  for (int k = 0; k < whole.count; last = k++)
-  {
-    const bool isIn = side * heights[k] > 0.0;
-    if (isIn != (side * heights[last] > 0.0) && cut.count < MostCorners)
-    {
-      const double t = heights[last] / (heights[last] - heights[k]);
-      cut.corners[cut.count++] = whole.corners[last] + t * (whole.corners[k] - whole.corners[last]);
-    }
-    if (isIn && cut.count < MostCorners)
-    {
-      cut.corners[cut.count++] = whole.corners[k];
-    }
-  }
-}
-
-double LampCutter::Area(const Flat& part)
-{
-  double twice = 0.0;
-  for (int k = 2; k < part.count; ++k)
-  {
-    const Vec2 u = part.corners[k - 1] - part.corners[0];
-    const Vec2 v = part.corners[k] - part.corners[0];
-    twice += u.x * v.y - u.y * v.x;
-  }
-  return 0.5 * std::abs(twice);
-}
-
-LampCutter::Face::Face(const Polygon& shape, const Plane& plane)
-{
-  const Vec3 steep = glm::abs(plane.normal);
-  this->w = steep.x >= std::max(steep.y, steep.z) ? 0 : (steep.y >= steep.z ? 1 : 2);
-  this->u = (this->w + 1) % 3;
-  this->v = (this->w + 2) % 3;
-  const double perW = 1.0 / plane.normal[this->w];
-  this->perU = -plane.normal[this->u] * perW;
-  this->perV = -plane.normal[this->v] * perW;
-  this->constant = plane.offset * perW;
-  for (const Vec3& corner : shape)
-  {
-    this->outline.corners[this->outline.count++] = { corner[this->u], corner[this->v] };
-  }
-  this->sliver = LargestSliver * Area(this->outline);
-}
-
-LampCutter::FlatShadow LampCutter::Shadows::OnFace(const Face& face, const Shadow& shadow) const
-{
-  FlatShadow flat;
-  for (std::uint32_t s = shadow.firstSide; s < shadow.lastSide; ++s)
-  {
-    const auto& [normal, offset] = this->Sides[s];
-    const double ofW = normal[face.w];
-    flat.sides[flat.count++] = { { normal[face.u] + ofW * face.perU,
-                                   normal[face.v] + ofW * face.perV },
-      offset + ofW * face.constant };
-  }
-  return flat;
-}
-
-/// What a shadow leaves of a part: all of it, or nothing, or what is outside of each side in turn.
-void LampCutter::AppendOutside(
-  const Flat& part, const FlatShadow& shadow, double sliver, std::vector<Flat>& parts)
-{
-  const std::size_t before = parts.size();
-  std::array<Flat, 2> room;
-  const Flat* rest = &part; // what is inside of the sides so far
-  for (int s = 0; s < shadow.count; ++s)
-  {
-    const FlatShadow::Side& side = shadow.sides[s];
-    Heights heights;
-    int inside = 0;
-    for (int k = 0; k < rest->count; ++k)
-    {
-      heights[k] = glm::dot(side.normal, rest->corners[k]) + side.offset;
-      inside += heights[k] > 0.0 ? 1 : 0;
-    }
-    if (inside == rest->count)
-    {
-      continue;
-    }
-    if (inside == 0) // none of the part is in the shadow
-    {
-      parts.resize(before);
-      parts.push_back(part);
-      return;
-    }
-    parts.emplace_back();
-    CutAt(*rest, heights, -1.0, parts.back());
-    if (Area(parts.back()) <= sliver)
-    {
-      parts.pop_back();
-    }
-    Flat& next = room[rest == &room[0] ? 1 : 0];
-    CutAt(*rest, heights, 1.0, next);
-    rest = &next;
-  }
-}
-
-void LampCutter::Cut(Shadows& shadows, const FlatShadow& shadow, double sliver)
-{
-  shadows.Effort += shadows.Parts.size();
-  shadows.Rest.clear();
-  for (const Flat& part : shadows.Parts)
-  {
-    AppendOutside(part, shadow, sliver, shadows.Rest);
-  }
-  shadows.Parts.swap(shadows.Rest);
-}
-
 std::optional<double> LampCutter::SeenOfFaces(Shadows& shadows, const Vec2& x) const
 {
   shadows.Effort = 0;
@@ -411,8 +295,7 @@ std::optional<double> LampCutter::SeenOfFaces(Shadows& shadows, const Vec2& x) c
       continue; // another shadow hides all of it
     }
     room.seen[face] = 0;
-    const auto part =
-      SeenOfFace(Face(this->Lamp->Face(face), this->Lamp->PlaneOf(face)), shadows, x);
+    const auto part = SeenOfFace({ this->Lamp->Face(face), this->Lamp->PlaneOf(face) }, shadows, x);
     if (!part)
     {
       return std::nullopt;
@@ -442,16 +325,18 @@ void LampCutter::SortFaces(Shadows& shadows) const
 
 /// Past shadows.OfFace. Those of few sides first: they hide most, and leave few parts to the
 /// others.
-std::optional<double> LampCutter::SeenOfFace(const Face& face, Shadows& shadows, const Vec2& x)
+std::optional<double> LampCutter::SeenOfFace(
+  const FaceParts::Face& face, Shadows& shadows, const Vec2& x)
 {
-  shadows.Parts.assign(1, face.outline);
-  for (int sides = 1; sides <= MostCorners + 1; ++sides)
+  shadows.Parts.Start(face);
+  for (int sides = 1; sides <= Polygon::Capacity + 1; ++sides)
   {
     for (const Shadows::Shadow& shadow : shadows.OfFace)
     {
       if (shadow.Count() == sides)
       {
-        Cut(shadows, shadows.OnFace(face, shadow), face.sliver);
+        shadows.Effort += shadows.Parts.Size();
+        shadows.Parts.Take(&shadows.Sides[shadow.firstSide], sides);
       }
       if (shadows.Effort > MostEffort)
       {
@@ -460,27 +345,7 @@ std::optional<double> LampCutter::SeenOfFace(const Face& face, Shadows& shadows,
       }
     }
   }
-  double seen = 0.0;
-  for (const Flat& part : shadows.Parts)
-  {
-    seen += Measure(face, part, x);
-  }
-  return seen;
-}
-
-double LampCutter::Measure(const Face& face, const Flat& part, const Vec2& x)
-{
-  Polygon shape;
-  for (int i = 0; i < part.count; ++i)
-  {
-    const Vec2& corner = part.corners[i];
-    Vec3 place;
-    place[face.u] = corner.x;
-    place[face.v] = corner.y;
-    place[face.w] = face.constant + face.perU * corner.x + face.perV * corner.y;
-    shape.Add(place);
-  }
-  return LampKernel(shape).At(x);
+  return shadows.Parts.At(x);
 }
 
 } // namespace vantage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/Facets.h"
+#include "core/view/FaceParts.h"
 #include "core/view/LampSurface.h"
 
 #include <array>
@@ -57,36 +58,6 @@ public:
     const Vec2& x, const std::vector<Suspect>& suspects, Shadows& shadows) const;
 
 private:
-  static constexpr int MostCorners = Polygon::Capacity;
-
-  /// In the plane of a face.
-  struct Flat
-  {
-    std::array<Vec2, MostCorners> corners;
-    int count = 0;
-  };
-  using Heights = std::array<double, MostCorners>; ///< of the corners of such a polygon
-  /// Of a plane, by the two coordinates in which it is steepest: the third one is linear in them.
-  struct Face
-  {
-    int u, v, w;
-    double perU, perV, constant; ///< of the third coordinate
-    Flat outline;
-    double sliver; ///< the area of a part that is not worth keeping
-
-    Face(const Polygon& shape, const Plane& plane);
-  };
-  /// What an occluder hides from a point, in the plane of a face.
-  struct FlatShadow
-  {
-    struct Side
-    {
-      Vec2 normal;
-      double offset; ///< inside where dot(normal, y) + offset > 0
-    };
-    std::array<Side, MostCorners + 1> sides;
-    int count = 0;
-  };
   /// Linear over the plane z = 0.
   struct Affine
   {
@@ -112,8 +83,8 @@ private:
   {
     Plane plane;
     Affine side; ///< distance of x from it
-    std::array<Cover, 2>
-      beyond; ///< how much of the lamp is beyond the plane for x above it, and below
+    /// How much of the lamp is beyond the plane for x above it, and below.
+    std::array<Cover, 2> beyond;
     std::uint32_t firstEdge, lastEdge;
     std::optional<Side> inside;
   };
@@ -127,19 +98,14 @@ private:
   Cover HullBehind(std::uint32_t edge, double sign, const Vec2& x) const;
   Cover LampBehind(std::uint32_t edge, double sign, const Vec2& x) const;
   Cover Cast(const Occluder& occluder, const Vec2& x, Shadows& shadows) const;
-  static void CutAt(const Flat& whole, const Heights& heights, double side, Flat& cut);
-  static double Area(const Flat& part);
-  static void AppendOutside(
-    const Flat& part, const FlatShadow& shadow, double sliver, std::vector<Flat>& parts);
-  static void Cut(Shadows& shadows, const FlatShadow& shadow, double sliver);
   std::optional<double> SeenOfFaces(Shadows& shadows, const Vec2& x) const;
   void SortFaces(Shadows& shadows) const;
-  static std::optional<double> SeenOfFace(const Face& face, Shadows& shadows, const Vec2& x);
-  static double Measure(const Face& face, const Flat& part, const Vec2& x);
+  static std::optional<double> SeenOfFace(
+    const FaceParts::Face& face, Shadows& shadows, const Vec2& x);
 
   const LampSurface* Lamp;
-  std::optional<Face> Only; ///< of a lamp that has one only
-  std::vector<Vec3> Hull;   ///< corners of a convex polygon or body that holds the lamp
+  std::optional<FaceParts::Face> Only; ///< of a lamp that has one only
+  std::vector<Vec3> Hull;              ///< corners of a convex polygon or body that holds the lamp
   std::vector<Occluder> Occluders;
   std::vector<Edge> Edges;
   std::vector<Affine> HullHeights; ///< of its corners above the plane through x and each edge
@@ -170,16 +136,13 @@ private:
     Shadow shadow;
   };
 
-  FlatShadow OnFace(const Face& face, const Shadow& shadow) const;
-
   std::vector<LampSurface::HalfSpace> Sides;
   std::vector<Shadow> All;
   LampSurface::Workspace Room;      ///< the faces that are seen as a whole
   std::vector<std::uint32_t> Faces; ///< that one shadow hides in part
   std::vector<FaceInShadow> Partly; ///< by face
   std::vector<Shadow> OfFace;       ///< those that hide a part of one face
-  std::vector<Flat> Parts;          ///< that are left of it
-  std::vector<Flat> Rest;           ///< of these, past one more shadow
+  FaceParts Parts;                  ///< what is left of that
   std::size_t Effort = 0;           ///< for the last point
   bool TooMany = false;
 };
