@@ -68,6 +68,7 @@ const std::vector<Entry>& Entries()
     list.push_back(Single("unequal-lamps", MakeUnequalLamps));
     list.push_back(Single("lamp-hall", MakeLampHall));
     list.push_back(Single("round-bodies", MakeRoundBodies));
+    list.push_back(Single("luminaires", MakeLuminaires));
     return list;
   }();
   return entries;
@@ -281,6 +282,54 @@ Scene MakeRoundBodies()
     }
   }
   parts.AddCamera("inside", Vec3(0.4, 0.5, 1.6), Vec3(3.4, 2.4, 0.6));
+  return parts.scene;
+}
+
+/// Lamps as modellers make them, of many facets: globes, round panels and a tube.
+Scene MakeLuminaires()
+{
+  SceneParts parts;
+  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
+  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
+    parts.SurfaceMaterial(Color(0.8)), wall);
+  parts.AddTable(Vec2(3.2, 2.2), Vec2(1.4, 0.8), 0.75, parts.SolidMaterial({ 0.6, 0.45, 0.3 }));
+  parts.AddBlock(
+    Vec3(4.2, 0.8, 0.0), Vec2(0.8, 0.6), 0.3, 1.1, parts.SolidMaterial({ 0.4, 0.45, 0.55 }));
+  const std::uint32_t globe = parts.LampMaterial({ 12.0, 11.0, 9.0 });
+  for (int i = 0; i < 4; ++i)
+  {
+    AddBall(parts.scene, Vec3(2.75 + 0.3 * i, 2.2, 1.9), 0.08, 8, globe);
+  }
+  const auto circle = [](int k, int corners)
+  {
+    const double angle = 2.0 * Pi * (k % corners) / corners;
+    return Vec2(std::cos(angle), std::sin(angle));
+  };
+  constexpr int Corners = 24;
+  const std::uint32_t panel = parts.LampMaterial(Color(14.0));
+  for (const Vec3& centre : { Vec3(0.8, 0.8, 2.95), Vec3(0.8, 3.2, 2.95), Vec3(4.2, 3.2, 2.95) })
+  {
+    for (int k = 0; k < Corners; ++k)
+    {
+      parts.scene.AddPolygon({ centre, centre + Vec3(0.15 * circle(k + 1, Corners), 0.0),
+                               centre + Vec3(0.15 * circle(k, Corners), 0.0) },
+        panel);
+    }
+  }
+  constexpr int Strips = 16;
+  const std::uint32_t tube = parts.LampMaterial({ 8.0, 9.0, 10.0 });
+  const auto at = [&](int strip, double x)
+  {
+    const Vec2 across = 0.02 * circle(strip, Strips);
+    return Vec3(x, 3.9 + across.x, 2.4 + across.y);
+  };
+  for (int k = 0; k < Strips; ++k)
+  {
+    parts.scene.AddPolygon({ at(k, 1.5), at(k, 3.0), at(k + 1, 3.0), at(k + 1, 1.5) }, tube);
+    parts.scene.AddPolygon({ at(k, 1.5), at(k + 1, 1.5), Vec3(1.5, 3.9, 2.4) }, tube);
+    parts.scene.AddPolygon({ at(k, 3.0), Vec3(3.0, 3.9, 2.4), at(k + 1, 3.0) }, tube);
+  }
+  parts.AddCamera("inside", Vec3(0.4, 0.5, 1.6), Vec3(4.0, 2.5, 0.9));
   return parts.scene;
 }
 

@@ -56,6 +56,10 @@ Scene MakeUnequalLamps();
 /// a ceiling panel, a globe of 120 triangles that shines.
 Scene MakeRoundBodies();
 
+/// A room lit by what modellers make of lamps: four globes of 224 triangles over a table, three
+/// round panels of 24 and a tube of 48 facets.
+Scene MakeLuminaires();
+
 /// A hall of 30 x 20 m with screens and blocks and 200 lamps whose powers lie two decades apart.
 Scene MakeLampHall();
 

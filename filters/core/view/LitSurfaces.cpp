@@ -242,7 +242,8 @@ const LitSurfaces::Face& LitSurfaces::FaceTowards(const Lamp& lamp, const LitPoi
     const double square = glm::dot(way, way);
     const double here = glm::dot(point.normal, way);
     const double there = -glm::dot(face.normal, way);
-    if (there > 0.0 && IsAboveHorizon(face.shape, point))
+    const bool isAbove = here > face.radius || IsAboveHorizon(face.shape, point);
+    if (there > 0.0 && isAbove)
     {
       const double least = LeastCosine * face.radius;
       sum += face.area * there * std::max(here, least) / (square * (square + face.area));
