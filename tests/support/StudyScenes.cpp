@@ -88,6 +88,16 @@ std::optional<std::uint64_t> RoomSeed(const std::string& name)
   return result.ec == std::errc() && result.ptr == end ? std::optional(seed) : std::nullopt;
 }
 
+/// Of 5 x 4 x 3 m, empty.
+SceneParts LightRoom()
+{
+  SceneParts parts;
+  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
+  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
+    parts.SurfaceMaterial(Color(0.8)), wall);
+  return parts;
+}
+
 } // namespace
 
 Camera StudyScene::View() const
@@ -237,10 +247,7 @@ Scene MakeGallery()
 
 Scene MakeUnequalLamps()
 {
-  SceneParts parts;
-  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
-  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
-    parts.SurfaceMaterial(Color(0.8)), wall);
+  SceneParts parts = LightRoom();
   parts.AddTable(Vec2(3.2, 2.2), Vec2(1.4, 0.8), 0.75, parts.SolidMaterial({ 0.6, 0.45, 0.3 }));
   parts.AddBlock(
     Vec3(2.9, 2.1, 0.75), Vec2(0.15, 0.1), 0.5, 0.3, parts.SolidMaterial({ 0.3, 0.5, 0.4 }));
@@ -254,10 +261,7 @@ Scene MakeUnequalLamps()
 
 Scene MakeRoundBodies()
 {
-  SceneParts parts;
-  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
-  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
-    parts.SurfaceMaterial(Color(0.8)), wall);
+  SceneParts parts = LightRoom();
   AddBall(parts.scene, Vec3(3.4, 2.4, 0.6), 0.6, 32, parts.SurfaceMaterial(Color(0.7)));
   AddBall(parts.scene, Vec3(2.3, 1.3, 0.4), 0.4, 24, parts.SurfaceMaterial({ 0.7, 0.2, 0.1 }));
   AddBall(parts.scene, Vec3(2.0, 3.0, 2.2), 0.15, 6, parts.LampMaterial(Color(20.0)));
@@ -288,10 +292,7 @@ Scene MakeRoundBodies()
 /// Lamps as modellers make them, of many facets: globes, round panels and a tube.
 Scene MakeLuminaires()
 {
-  SceneParts parts;
-  const std::uint32_t wall = parts.SurfaceMaterial({ 0.7, 0.7, 0.65 });
-  parts.AddRoom(Vec3(0.0), Vec3(5.0, 4.0, 3.0), parts.SurfaceMaterial({ 0.5, 0.4, 0.3 }),
-    parts.SurfaceMaterial(Color(0.8)), wall);
+  SceneParts parts = LightRoom();
   parts.AddTable(Vec2(3.2, 2.2), Vec2(1.4, 0.8), 0.75, parts.SolidMaterial({ 0.6, 0.45, 0.3 }));
   parts.AddBlock(
     Vec3(4.2, 0.8, 0.0), Vec2(0.8, 0.6), 0.3, 1.1, parts.SolidMaterial({ 0.4, 0.45, 0.55 }));

@@ -143,8 +143,31 @@ TEST(DirectLight, HasExactShadows)
     GatherStage(MakeLampOverFloor(Occluders), [](PatchId) { return Color(0.0); }), true);
 }
 
-/// A globe above a floor, past walls, boxes and a ring around it. Oracle: each facet of it as a
-/// lamp by itself, which solutions can name as well.
+PatchId UpperSideOfFloor(const GatherStage& stage)
+{
+  PatchId floor = None;
+  for (PatchId p = 0; p < stage.tree.Patches().size(); ++p)
+  {
+    const bool isFloor = stage.facets.facets[p / 2].material == 0;
+    floor = isFloor && stage.Normal(p).z > 0.5 ? p : floor;
+  }
+  return floor;
+}
+
+/// The middles of so many squares along each side.
+std::vector<Vec3> PointsOfFloor(int count)
+{
+  std::vector<Vec3> points;
+  const auto at = [count](int k) { return -1.0 + 2.0 * (k + 0.5) / count; };
+  for (int i = 0; i < count * count; ++i)
+  {
+    points.emplace_back(at(i % count), at(i / count), 0.0);
+  }
+  return points;
+}
+
+/// A globe above a floor, past walls, a box, and a pane that passes through it. Oracle: each facet
+/// of it as a lamp by itself, which solutions can name as well.
 Scene MakeGlobeOverFloor()
 {
   Scene scene = MakeLampOverFloor(
@@ -165,17 +188,8 @@ struct GlobeLight
   GlobeLight(bool facetByFacet, double tolerance)
   {
     GatherStage stage(MakeGlobeOverFloor(), [](PatchId) { return Color(0.0); });
-    PatchId floor = None;
-    for (PatchId p = 0; p < stage.tree.Patches().size(); ++p)
-    {
-      const bool isFloor = stage.facets.facets[p / 2].material == 0;
-      floor = isFloor && stage.Normal(p).z > 0.5 ? p : floor;
-    }
-    std::vector<Vec3> points;
-    for (int i = 0; i < 50 * 50; ++i)
-    {
-      points.emplace_back(-1.0 + (i % 50 + 0.5) / 25.0, -1.0 + (i / 50 + 0.5) / 25.0, 0.0);
-    }
+    const PatchId floor = UpperSideOfFloor(stage);
+    const std::vector<Vec3> points = PointsOfFloor(50);
     RadianceSolution::Element& element =
       stage.solution.elements[stage.solution.elementOfPatch[floor]];
     const std::uint32_t last = element.lastLamp;
@@ -257,17 +271,8 @@ TEST(DirectLight, ClosedBodiesCastTheSameShadows)
   test::AddBall(scene, { 0.1, -0.3, 0.45 }, 0.15, 4, 2);
   const GatherStage stage(scene, [](PatchId) { return Color(0.0); });
   const OccluderScene knowing(stage.facets, FindDarkSides(stage.facets, scene.materials));
-  PatchId floor = None;
-  for (PatchId p = 0; p < stage.tree.Patches().size(); ++p)
-  {
-    const bool isFloor = stage.facets.facets[p / 2].material == 0;
-    floor = isFloor && stage.Normal(p).z > 0.5 ? p : floor;
-  }
-  std::vector<Vec3> points;
-  for (int i = 0; i < 60 * 60; ++i)
-  {
-    points.emplace_back(-1.0 + (i % 60 + 0.5) / 30.0, -1.0 + (i / 60 + 0.5) / 30.0, 0.0);
-  }
+  const PatchId floor = UpperSideOfFloor(stage);
+  const std::vector<Vec3> points = PointsOfFloor(60);
   DirectCounters unaware, aware;
   const std::vector<Color> expected =
     DirectLight(stage.occluders, stage.solution).At(floor, points, unaware);
