@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
+#include <utility>
 
 namespace vantage
 {
@@ -13,8 +15,69 @@ namespace
 
 using LampList = std::vector<PatchId>;
 
-/// Emitting patches that each node interacts with, ascending, without those of its ancestors.
-std::vector<LampList> LampsOfNodes(const Transport& transport)
+/// The lamps of a scene, of which those of one curved surface go by the name of the first of them.
+class LampSurfaces
+{
+public:
+  explicit LampSurfaces(const Transport& transport)
+  {
+    const ElementTree& tree = transport.Tree();
+    std::vector<NodeId> surfaceOf(tree.Patches().size(), None);
+    std::map<NodeId, LampList> surfaces;
+    for (PatchId patch = 0; patch < surfaceOf.size(); ++patch)
+    {
+      if (tree.Patches()[patch].IsActive() && MaxChannel(transport.OpticsOf(patch).emission) > 0.0)
+      {
+        surfaceOf[patch] = SurfaceAbove(tree, tree.Patches()[patch].node);
+        surfaces[surfaceOf[patch]].push_back(patch);
+      }
+    }
+    for (auto& [surface, lamps] : surfaces)
+    {
+      for (const PatchId patch : lamps)
+      {
+        this->FirstOf[patch] = lamps.front();
+      }
+      const PatchId first = lamps.front();
+      this->LampsOf[first] = std::move(lamps);
+    }
+  }
+
+  /// None if the patch does not emit.
+  PatchId NameOf(PatchId patch) const
+  {
+    const auto found = this->FirstOf.find(patch);
+    return found != this->FirstOf.end() ? found->second : None;
+  }
+  LampList AllOf(const LampList& names) const
+  {
+    LampList all;
+    for (const PatchId name : names)
+    {
+      const LampList& lamps = this->LampsOf.at(name);
+      all.insert(all.end(), lamps.begin(), lamps.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+private:
+  /// The largest node above a patch that is one surface.
+  static NodeId SurfaceAbove(const ElementTree& tree, NodeId node)
+  {
+    while (tree[node].parent != None && tree[tree[node].parent].IsSmooth())
+    {
+      node = tree[node].parent;
+    }
+    return node;
+  }
+
+  std::unordered_map<PatchId, PatchId> FirstOf;
+  std::unordered_map<PatchId, LampList> LampsOf; ///< of each name, ascending
+};
+
+/// Names of the lamps that each node interacts with, ascending, without those of its ancestors.
+std::vector<LampList> LampsOfNodes(const Transport& transport, const LampSurfaces& surfaces)
 {
   const ElementTree& tree = transport.Tree();
   std::vector<LampList> lamps(tree.Size());
@@ -23,10 +86,10 @@ std::vector<LampList> LampsOfNodes(const Transport& transport)
     const Interaction& link = transport.Graph()[id];
     for (End end = 0; end < 2; ++end)
     {
-      const PatchId other = tree[link.ends[Other(end)]].patch;
-      if (MaxChannel(transport.OpticsOf(other).emission) > 0.0)
+      const PatchId name = surfaces.NameOf(tree[link.ends[Other(end)]].patch);
+      if (name != None)
       {
-        lamps[link.ends[end]].push_back(other);
+        lamps[link.ends[end]].push_back(name);
       }
     }
   }
@@ -66,13 +129,15 @@ LampList Union(const LampList& a, const LampList& b)
 
 /// The lamps that the leaves name. An interaction whose few rays were all blocked does not exist,
 /// although a part of the element may see the lamp; so an element takes over what those around it
-/// name: all of the patch when these are few, else the elements below its grandparent.
+/// name: all of the patch when these are few, else the elements below its grandparent. Of a curved
+/// surface all lamps are named where one is.
 class LampsOfLeaves
 {
 public:
   explicit LampsOfLeaves(const Transport& transport)
     : Tree(&transport.Tree())
-    , Above(LampsOfNodes(transport))
+    , Surfaces(transport)
+    , Above(LampsOfNodes(transport, this->Surfaces))
     , Below(this->Above)
   {
     const ElementTree& tree = *this->Tree;
@@ -93,7 +158,12 @@ public:
     }
   }
 
-  LampList Of(NodeId leaf) const
+  LampList Of(NodeId leaf) const { return this->Surfaces.AllOf(this->NamesOf(leaf)); }
+
+private:
+  static constexpr std::size_t FewLamps = 16;
+
+  LampList NamesOf(NodeId leaf) const
   {
     const ElementTree& tree = *this->Tree;
     const LampList& ofPatch = this->Below[tree.PatchOfNode(leaf).node];
@@ -109,10 +179,8 @@ public:
     return Union(this->Above[leaf], this->Below[around]);
   }
 
-private:
-  static constexpr std::size_t FewLamps = 16;
-
   const ElementTree* Tree;
+  LampSurfaces Surfaces;
   std::vector<LampList> Above; ///< of a node and its ancestors
   std::vector<LampList> Below; ///< of a node and its descendants
 };

@@ -2,10 +2,12 @@
 #include "core/transport/ExtractRadianceSolution.h"
 #include "core/transport/Schedule.h"
 #include "core/view/GatherStage.h"
+#include "support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 namespace vantage
 {
@@ -143,6 +145,34 @@ TEST(ExtractRadianceSolution, TakesReflectedRadianceAndTheLampsThatShine)
       EXPECT_EQ(ofLamp.x < 1.0, air.x < 1.0) << "patch " << p;
     }
   }
+}
+
+/// However few of its facets an element interacts with.
+TEST(ExtractRadianceSolution, OfALampThatWasCutAllIsNamedOrNothing)
+{
+  Scene scene = MakeTwoRooms();
+  test::AddBall(scene, { 1.5, 0.5, 0.4 }, 0.1, 6, 1);
+  const test::GatherStage stage(scene, [](PatchId) { return Color(0.0); });
+  Transport transport(stage.tree, stage.occluders, stage.Optics(), stage.facets.meanArea, {});
+  const auto schedule = MakeSchedule(Method::ProgressiveShooting, Granularity::Patch, transport);
+  for (std::uint32_t step = 1; step <= 150; ++step)
+  {
+    schedule->Perform(transport, *schedule->Next(transport, step), step);
+  }
+  const RadianceSolution solution = ExtractRadianceSolution(transport);
+  std::map<std::uint32_t, int> leaves; // by how many lamps they name
+  for (const RadianceSolution::Element& element : solution.elements)
+  {
+    if (element.childCount == 0 && element.node != None)
+    {
+      ++leaves[element.lastLamp - element.firstLamp];
+    }
+  }
+  for (const auto& [lamps, count] : leaves)
+  {
+    EXPECT_TRUE(lamps <= 2 || lamps >= 120) << count << " elements name " << lamps;
+  }
+  EXPECT_GT(leaves.rbegin()->first, 119u);
 }
 
 } // namespace
