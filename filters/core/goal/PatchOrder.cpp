@@ -1,5 +1,7 @@
 #include "core/goal/PatchOrder.h"
 
+#include "core/mesh/CurvedSurfaces.h"
+
 #include <algorithm>
 
 namespace vantage
@@ -22,25 +24,22 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
   : Ranges(tree.Size())
   , Places(tree.Patches().size(), None)
 {
-  std::vector<std::uint32_t> surfaces; // of each place: the smooth cluster it is in, or itself
-  const auto visit = [&](const auto& self, NodeId node, NodeId surface) -> void
+  const auto visit = [&](const auto& self, NodeId node) -> void
   {
     const auto first = static_cast<std::uint32_t>(this->Patches.size());
-    const NodeId itsSurface = surface == None && tree[node].IsSmooth() ? node : surface;
     if (tree[node].IsCluster())
     {
-      self(self, tree[node].firstChild, itsSurface);
-      self(self, tree[node].firstChild + 1, itsSurface);
+      self(self, tree[node].firstChild);
+      self(self, tree[node].firstChild + 1);
     }
     else
     {
-      surfaces.push_back(itsSurface);
       this->Places[tree[node].patch] = first;
       this->Patches.push_back(tree[node].patch);
     }
     this->Ranges[node] = { first, static_cast<std::uint32_t>(this->Patches.size()) };
   };
-  visit(visit, tree.Root(), None);
+  visit(visit, tree.Root());
   const std::size_t count = this->Patches.size() + 1;
   this->AreaBefore.reserve(count);
   this->PowerBefore.reserve(count);
@@ -52,6 +51,7 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
   this->SquareBefore.push_back(0.0);
   this->AlbedoBefore.emplace_back(0.0);
   this->EmissionBefore.emplace_back(0.0);
+  NodeId lastSurface = None; // with a lamp
   for (std::uint32_t place = 0; place < this->Patches.size(); ++place)
   {
     const PatchId patch = this->Patches[place];
@@ -65,10 +65,10 @@ PatchOrder::PatchOrder(const ElementTree& tree, const std::vector<PatchOptics>& 
     this->EmissionBefore.push_back(this->EmissionBefore.back() + area * surface.emission);
     if (emission > 0.0)
     {
-      const bool isNext =
-        this->LampPlaces.empty() || surfaces[this->LampPlaces.back()] != surfaces[place];
-      this->LampNumbers.push_back(
-        (this->LampNumbers.empty() ? 0 : this->LampNumbers.back()) + (isNext ? 1 : 0));
+      const NodeId itsSurface = SurfaceAbove(tree, tree.Patches()[patch].node);
+      const std::uint32_t lastNumber = this->LampNumbers.empty() ? 0 : this->LampNumbers.back();
+      this->LampNumbers.push_back(lastNumber + (itsSurface != lastSurface ? 1 : 0));
+      lastSurface = itsSurface;
       this->LampPlaces.push_back(place);
     }
   }

@@ -68,6 +68,16 @@ std::vector<PatchId> CurvedSurfacesOf(
   return surfaceOf;
 }
 
+NodeId SurfaceAbove(const ElementTree& tree, NodeId patch)
+{
+  NodeId surface = patch;
+  while (tree[surface].parent != None && tree[tree[surface].parent].IsSmooth())
+  {
+    surface = tree[surface].parent;
+  }
+  return surface;
+}
+
 void FindBends(std::vector<Node>& nodes, const std::vector<Patch>& patches,
   const std::vector<PatchId>& surfaceOf)
 {

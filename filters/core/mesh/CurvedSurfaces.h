@@ -17,6 +17,10 @@ namespace vantage
 std::vector<PatchId> CurvedSurfacesOf(
   const FacetSet& facets, const std::vector<FacetEdge>& edges, const std::vector<Patch>& patches);
 
+/// The largest node that is one surface (Node::IsSmooth) and holds a patch of the node `patch`.
+/// O(depth).
+NodeId SurfaceAbove(const ElementTree& tree, NodeId patch);
+
 /// Finds Node::bend of all clusters. `surfaceOf` each patch: what CurvedSurfacesOf() gives.
 /// O(nodes). \pre clusters have their areas
 void FindBends(std::vector<Node>& nodes, const std::vector<Patch>& patches,

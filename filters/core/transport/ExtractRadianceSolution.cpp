@@ -1,11 +1,11 @@
 #include "core/transport/ExtractRadianceSolution.h"
 
+#include "core/mesh/CurvedSurfaces.h"
 #include "core/transport/Transport.h"
 
 #include <algorithm>
 #include <map>
 #include <unordered_map>
-#include <utility>
 
 namespace vantage
 {
@@ -15,44 +15,32 @@ namespace
 
 using LampList = std::vector<PatchId>;
 
-/// The lamps of a scene, of which those of one curved surface go by the name of the first of them.
+/// The lamps of a scene, of which those of one curved surface go by its name.
 class LampSurfaces
 {
 public:
+  using Name = NodeId;
+
   explicit LampSurfaces(const Transport& transport)
+    : NameOfPatch(transport.Tree().Patches().size(), None)
   {
     const ElementTree& tree = transport.Tree();
-    std::vector<NodeId> surfaceOf(tree.Patches().size(), None);
-    std::map<NodeId, LampList> surfaces;
-    for (PatchId patch = 0; patch < surfaceOf.size(); ++patch)
+    for (PatchId patch = 0; patch < this->NameOfPatch.size(); ++patch)
     {
       if (tree.Patches()[patch].IsActive() && MaxChannel(transport.OpticsOf(patch).emission) > 0.0)
       {
-        surfaceOf[patch] = SurfaceAbove(tree, tree.Patches()[patch].node);
-        surfaces[surfaceOf[patch]].push_back(patch);
+        this->NameOfPatch[patch] = SurfaceAbove(tree, tree.Patches()[patch].node);
+        this->LampsOf[this->NameOfPatch[patch]].push_back(patch);
       }
-    }
-    for (auto& [surface, lamps] : surfaces)
-    {
-      for (const PatchId patch : lamps)
-      {
-        this->FirstOf[patch] = lamps.front();
-      }
-      const PatchId first = lamps.front();
-      this->LampsOf[first] = std::move(lamps);
     }
   }
 
   /// None if the patch does not emit.
-  PatchId NameOf(PatchId patch) const
-  {
-    const auto found = this->FirstOf.find(patch);
-    return found != this->FirstOf.end() ? found->second : None;
-  }
-  LampList AllOf(const LampList& names) const
+  Name NameOf(PatchId patch) const { return this->NameOfPatch[patch]; }
+  LampList AllOf(const std::vector<Name>& names) const
   {
     LampList all;
-    for (const PatchId name : names)
+    for (const Name name : names)
     {
       const LampList& lamps = this->LampsOf.at(name);
       all.insert(all.end(), lamps.begin(), lamps.end());
@@ -62,38 +50,30 @@ public:
   }
 
 private:
-  /// The largest node above a patch that is one surface.
-  static NodeId SurfaceAbove(const ElementTree& tree, NodeId node)
-  {
-    while (tree[node].parent != None && tree[tree[node].parent].IsSmooth())
-    {
-      node = tree[node].parent;
-    }
-    return node;
-  }
-
-  std::unordered_map<PatchId, PatchId> FirstOf;
-  std::unordered_map<PatchId, LampList> LampsOf; ///< of each name, ascending
+  std::vector<Name> NameOfPatch;
+  std::unordered_map<Name, LampList> LampsOf;
 };
 
+using NameList = std::vector<LampSurfaces::Name>;
+
 /// Names of the lamps that each node interacts with, ascending, without those of its ancestors.
-std::vector<LampList> LampsOfNodes(const Transport& transport, const LampSurfaces& surfaces)
+std::vector<NameList> LampsOfNodes(const Transport& transport, const LampSurfaces& surfaces)
 {
   const ElementTree& tree = transport.Tree();
-  std::vector<LampList> lamps(tree.Size());
+  std::vector<NameList> lamps(tree.Size());
   for (InteractionId id = 0; id < transport.Graph().Size(); ++id)
   {
     const Interaction& link = transport.Graph()[id];
     for (End end = 0; end < 2; ++end)
     {
-      const PatchId name = surfaces.NameOf(tree[link.ends[Other(end)]].patch);
+      const LampSurfaces::Name name = surfaces.NameOf(tree[link.ends[Other(end)]].patch);
       if (name != None)
       {
         lamps[link.ends[end]].push_back(name);
       }
     }
   }
-  for (LampList& list : lamps)
+  for (NameList& list : lamps)
   {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -120,9 +100,9 @@ std::vector<Color> EmissionReceived(const Transport& transport)
   return irradiance;
 }
 
-LampList Union(const LampList& a, const LampList& b)
+NameList Union(const NameList& a, const NameList& b)
 {
-  LampList all;
+  NameList all;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
   return all;
 }
@@ -145,7 +125,7 @@ public:
     {
       if (tree[id].level > 0)
       {
-        LampList& ofParent = this->Below[tree[id].parent];
+        NameList& ofParent = this->Below[tree[id].parent];
         ofParent = Union(ofParent, this->Below[id]);
       }
     }
@@ -163,10 +143,10 @@ public:
 private:
   static constexpr std::size_t FewLamps = 16;
 
-  LampList NamesOf(NodeId leaf) const
+  NameList NamesOf(NodeId leaf) const
   {
     const ElementTree& tree = *this->Tree;
-    const LampList& ofPatch = this->Below[tree.PatchOfNode(leaf).node];
+    const NameList& ofPatch = this->Below[tree.PatchOfNode(leaf).node];
     if (ofPatch.size() <= FewLamps)
     {
       return ofPatch;
@@ -181,8 +161,8 @@ private:
 
   const ElementTree* Tree;
   LampSurfaces Surfaces;
-  std::vector<LampList> Above; ///< of a node and its ancestors
-  std::vector<LampList> Below; ///< of a node and its descendants
+  std::vector<NameList> Above; ///< of a node and its ancestors
+  std::vector<NameList> Below; ///< of a node and its descendants
 };
 
 /// Hands out ranges of the solution's lamps, each list once.

@@ -72,6 +72,11 @@ std::uint32_t LampCutter::AddOccluder(const Polygon& shape, std::optional<Side> 
   return static_cast<std::uint32_t>(this->Occluders.size() - 1);
 }
 
+LampCutter::Cover LampCutter::CoverOf(bool anyInside, bool anyOutside)
+{
+  return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
+}
+
 /// How much of the lamp is beyond a plane for points above it, and below.
 std::array<LampCutter::Cover, 2> LampCutter::LampBeyond(const Plane& plane) const
 {
@@ -88,9 +93,7 @@ std::array<LampCutter::Cover, 2> LampCutter::LampBeyond(const Plane& plane) cons
   }
   const bool anyAbove = high > Touching;
   const bool anyBelow = low < -Touching;
-  const auto cover = [](bool anyBeyond, bool anyBefore)
-  { return anyBeyond ? (anyBefore ? Cover::Part : Cover::Whole) : Cover::None; };
-  return { cover(anyBelow, anyAbove), cover(anyAbove, anyBelow) };
+  return { CoverOf(anyBelow, anyAbove), CoverOf(anyAbove, anyBelow) };
 }
 
 /// The segments from points on one side of the occluder to the lamp meet its plane within the
@@ -169,7 +172,7 @@ LampCutter::Cover LampCutter::HullBehind(std::uint32_t edge, double sign, const 
     anyInside = anyInside || d > 0.0;
     anyOutside = anyOutside || d < 0.0;
   }
-  return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
+  return CoverOf(anyInside, anyOutside);
 }
 
 /// How much of the lamp itself is.
@@ -184,11 +187,11 @@ LampCutter::Cover LampCutter::LampBehind(std::uint32_t edge, double sign, const 
   bool anyOutside = false;
   for (const Vec3& corner : this->Lamp->Corners())
   {
-    const double d = glm::dot(side.normal, corner) + side.offset;
+    const double d = side.Height(corner);
     anyInside = anyInside || d > 0.0;
     anyOutside = anyOutside || d < 0.0;
   }
-  return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
+  return CoverOf(anyInside, anyOutside);
 }
 
 /// The cone from x through the occluder, as far as it is beyond that. Appends its sides.

@@ -90,6 +90,7 @@ private:
   };
 
   void FindHull();
+  static Cover CoverOf(bool anyInside, bool anyOutside);
   std::array<Cover, 2> LampBeyond(const Plane& plane) const;
   bool HidesAllFrom(const Occluder& occluder, const Vec2& x) const;
   static bool IsInside(const Occluder& occluder, const Vec2& x);

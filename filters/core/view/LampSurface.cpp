@@ -192,12 +192,9 @@ LampSurface LampSurface::In(const PatchFrame& frame, double unit) const
   }
   if (low < -Touching)
   {
-    local = LampSurface(local.FacesAbove());
+    return LampSurface(local.FacesAbove());
   }
-  else
-  {
-    local.Turn(frame, unit);
-  }
+  local.Turn(frame, unit);
   for (Vec3& place : local.Places)
   {
     place.z = std::max(place.z, 0.0);
@@ -213,7 +210,11 @@ std::vector<Polygon> LampSurface::FacesAbove() const
   std::vector<Polygon> faces;
   for (std::uint32_t f = 0; f < this->Size(); ++f)
   {
-    const Polygon face = ClipToFront(this->Face(f), Plane(), Touching);
+    Polygon face = ClipToFront(this->Face(f), Plane(), Touching);
+    for (int i = 0; i < face.Size(); ++i)
+    {
+      face[i].z = std::max(face[i].z, 0.0);
+    }
     if (!face.Empty())
     {
       faces.push_back(face);

@@ -34,12 +34,8 @@ constexpr int ParallelGroup = 256;
 /// How far away the lamp reaches.
 double ReachOf(const NamedLamp& lamp, const Vec3& from)
 {
-  double reach = 0.0;
-  for (const Polygon& shape : lamp.shapes)
-  {
-    reach = std::max(reach, RadiusAround(shape, from));
-  }
-  return reach;
+  const std::vector<Vec3>& corners = lamp.surface.Corners();
+  return RadiusAround({ corners.data(), static_cast<int>(corners.size()) }, from);
 }
 
 /// The rectangle around spots.
@@ -73,11 +69,6 @@ LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const Pa
   for (const Vec3& corner : this->Lamp.Corners())
   {
     this->Corners.push_back(frame.ToWorld(corner * this->Unit));
-  }
-  double area = 0.0;
-  for (const Polygon& shape : lamp.shapes)
-  {
-    this->AreasTo.push_back(area += Area(shape));
   }
 }
 
@@ -373,17 +364,22 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
 double LampView::SeenByRays(const Vec2& place, DirectCounters& counters) const
 {
   const SurfacePoint from{ this->Frame->ToWorld(Vec3(place, 0.0)), this->Facet };
+  std::vector<double> areasTo; // of the shapes, up to and with each
+  for (const Polygon& shape : this->Named->shapes)
+  {
+    areasTo.push_back((areasTo.empty() ? 0.0 : areasTo.back()) + Area(shape));
+  }
   double seen = 0.0;
   double total = 0.0;
   for (int i = 0; i < ShadowRays; ++i)
   {
     Vec2 uv = ScrambledSobol(i, Hash(this->Named->patches[0], this->Facet));
-    const double chosen = uv.x * this->AreasTo.back();
-    const auto next = std::upper_bound(this->AreasTo.begin(), this->AreasTo.end() - 1, chosen);
-    const auto k = static_cast<std::size_t>(next - this->AreasTo.begin());
+    const double chosen = uv.x * areasTo.back();
+    const auto next = std::upper_bound(areasTo.begin(), areasTo.end() - 1, chosen);
+    const auto k = static_cast<std::size_t>(next - areasTo.begin());
     const Polygon& shape = this->Named->shapes[k];
-    const double before = k > 0 ? this->AreasTo[k - 1] : 0.0;
-    const double area = this->AreasTo[k] - before;
+    const double before = k > 0 ? areasTo[k - 1] : 0.0;
+    const double area = areasTo[k] - before;
     uv.x = (chosen - before) / area;
     const Vec3 y = PointAt(shape, uv);
     const Vec3 way = y - from.position;

@@ -75,11 +75,10 @@ private:
   std::uint32_t Facet;
   const PatchFrame* Frame;
   const NamedLamp* Named;
-  double Unit = 1.0;           ///< scene units in a local one
-  LampSurface Lamp;            ///< what is in front of the patch, local
-  std::optional<Plane> Front;  ///< of the lamp, local, if it is flat
-  std::vector<Vec3> Corners;   ///< of the lamp, in the scene
-  std::vector<double> AreasTo; ///< of its shapes, up to and with each
+  double Unit = 1.0;          ///< scene units in a local one
+  LampSurface Lamp;           ///< what is in front of the patch, local
+  std::optional<Plane> Front; ///< of the lamp, local, if it is flat
+  std::vector<Vec3> Corners;  ///< of the lamp, in the scene
 };
 
 } // namespace vantage
