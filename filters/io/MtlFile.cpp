@@ -118,14 +118,29 @@ void ReadStatement(const TextLines& lines, Material& material, std::vector<std::
   }
 }
 
-void CheckEnergy(const TextLines& lines, std::size_t line, const Material& material)
+/// Programs for modelling write highlights as Ks, whatever is left of the light after Kd.
+void LimitSpecular(
+  const TextLines& lines, std::size_t line, Material& material, std::vector<std::string>* warnings)
 {
   const double most = MaxChannel(material.albedo + material.specular);
-  if (most > 1.0 + 1e-12) // a rounding of the sum, as in Scene::Validate
+  if (most <= 1.0 + 1e-12) // a rounding of the sum, as in Scene::Validate
   {
-    lines.FailAt(line,
-      "material '" + material.name + "': Kd + Ks is " + PrintNumber(most) + ", above 1",
-      "lower one of them");
+    return;
+  }
+  double part = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (material.specular[k] > 0.0)
+    {
+      part = std::min(part, (1.0 - material.albedo[k]) / material.specular[k]);
+    }
+  }
+  material.specular *= part;
+  if (warnings)
+  {
+    warnings->push_back(lines.Path() + ":" + std::to_string(line) + ": material '" + material.name +
+                        "': Kd + Ks is " + PrintNumber(most) +
+                        ", above 1; Ks is lowered to what Kd leaves");
   }
 }
 
@@ -149,7 +164,7 @@ void ReadMtl(
     {
       if (materials.size() > first)
       {
-        CheckEnergy(lines, lineOfMaterial, materials.back());
+        LimitSpecular(lines, lineOfMaterial, materials.back(), warnings);
       }
       Material material;
       material.name = ReadName(lines, taken);
@@ -168,7 +183,7 @@ void ReadMtl(
   }
   if (materials.size() > first)
   {
-    CheckEnergy(lines, lineOfMaterial, materials.back());
+    LimitSpecular(lines, lineOfMaterial, materials.back(), warnings);
   }
 }
 

@@ -18,9 +18,10 @@ namespace vantage
 ///   Ks R G B      reflectance of the normalised Phong lobe, 0 .. 1, default 0
 ///   Ns N          its exponent, >= 0, default 0
 ///   sides 1|2     1: the back neither reflects nor emits; default 2 (a statement of Vantage's own)
-/// All else is ignored, textures with a warning.
+/// All else is ignored, textures with a warning. Ks is lowered where Kd + Ks is above 1, with a
+/// warning.
 /// \throw InputError "file:line: what; mend": no such file, not a number, value out of range,
-/// Kd + Ks above 1, a name that is used twice.
+/// a name that is used twice.
 void ReadMtl(const std::string& path, std::vector<Material>& materials,
   std::vector<std::string>* warnings = nullptr);
 

@@ -280,8 +280,6 @@ const BadFile BadFiles[] = {
   { "SpectralAlbedo", GoodObj, "newmtl a\nKd spectral a.rfl 1\n", "m.mtl:2: ", "not a number" },
   { "NegativeShininess", GoodObj, "newmtl a\nNs -1\n", "m.mtl:2: ", "shininess" },
   { "ShininessCutOff", GoodObj, "newmtl a\nNs\n", "m.mtl:2: ", "number is expected" },
-  { "TooMuchReflected", GoodObj, "newmtl b\nnewmtl a\nKd .6 .6 .6\nKs .5 .5 .5\n",
-    "m.mtl:2: ", "Kd + Ks is 1.1" },
   { "SpecularAboveOne", GoodObj, "newmtl a\nKs 2 0 0\n", "m.mtl:2: ", "2 is above 1" },
   { "NoSides", GoodObj, "newmtl a\nsides 0\n", "m.mtl:2: ", "sides is 0" },
   { "StatementBeforeName", GoodObj, "Kd 1 1 1\n", "m.mtl:1: ", "before the first newmtl" },
@@ -320,6 +318,22 @@ TEST_P(BadObj, IsRefusedWithPlaceAndReason)
 
 INSTANTIATE_TEST_SUITE_P(ObjFile, BadObj, testing::ValuesIn(BadFiles),
   [](const testing::TestParamInfo<BadFile>& info) { return std::string(info.param.name); });
+
+TEST(ObjFile, HighlightsGetWhatTheAlbedoLeaves)
+{
+  const TemporaryFolder folder;
+  folder.Write(
+    "m.mtl", "newmtl b\nnewmtl a\nKd .6 .5 0\nKs .5 .5 .5\nnewmtl c\nKd 1 1 1\nKs 1 0 0\n");
+  std::vector<std::string> warnings;
+  const Scene scene = ReadObj(folder.Write("s.obj", GoodObj), &warnings);
+  EXPECT_NEAR(scene.materials[1].specular.x, 0.4, 1e-15);
+  EXPECT_NEAR(scene.materials[1].specular.z, 0.4, 1e-15); // its hue is kept
+  EXPECT_EQ(scene.materials[2].specular, Color(0.0));
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("m.mtl:2: material 'a': Kd + Ks is 1.1"), std::string::npos)
+    << warnings[0];
+  EXPECT_NE(warnings[1].find("m.mtl:5: "), std::string::npos) << warnings[1];
+}
 
 TEST(ObjFile, GoodFileOfTheTableIsRead)
 {
