@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <tbb/global_control.h>
 
 namespace vantage
@@ -40,17 +41,43 @@ private:
   Clock::time_point Start = Clock::now();
 };
 
-void WriteImages(
-  const RenderOptions& options, const Image& image, std::size_t frame = 0, std::size_t frames = 1)
+/// All of a run with one exposure: what a walk or a comparison of rooms asks for.
+class ImageWriter
 {
-  for (const std::string& output : options.outputs)
+public:
+  ImageWriter(const RenderOptions& options, std::size_t frames)
+    : Options(options)
+    , ToneMapping(options.toneMapping)
+    , Frames(frames)
   {
-    if (SuffixOf(output) != ".vtp")
-    {
-      WriteImage(image, RenderOptions::FramePath(output, frame, frames), options.toneMapping);
-    }
   }
-}
+
+  void Write(const Image& image)
+  {
+    if (!this->ToneMapping.exposure)
+    {
+      this->ToneMapping.exposure = AutomaticExposure(image.pixels);
+    }
+    for (const std::string& output : this->Options.outputs)
+    {
+      if (SuffixOf(output) != ".vtp")
+      {
+        WriteImage(
+          image, RenderOptions::FramePath(output, this->Frame, this->Frames), this->ToneMapping);
+      }
+    }
+    ++this->Frame;
+  }
+
+  /// Nothing before the first image.
+  std::optional<double> Exposure() const { return this->ToneMapping.exposure; }
+
+private:
+  const RenderOptions& Options;
+  ToneMappingSettings ToneMapping;
+  std::size_t Frames;
+  std::size_t Frame = 0; ///< that comes next
+};
 
 StepReport LastStep(const Solver& solver)
 {
@@ -87,19 +114,6 @@ void WriteSolution(const RenderOptions& options, const Solver& solver, const Cam
   }
 }
 
-/// The part of the budget that is used up since `before`, by the criterion that is nearest to its
-/// end. The error falls geometrically, so its logarithm tells how far it is.
-double FractionDone(const StepReport& step, const Budget& budget, const StepReport& before)
-{
-  const double bySteps =
-    static_cast<double>(step.step - before.step) / static_cast<double>(budget.steps);
-  const double byTime = (step.seconds - before.seconds) / budget.seconds;
-  const double goal = std::max(budget.error, 1e-13);
-  const double byError =
-    step.errorEstimate < 1.0 ? std::log(std::max(step.errorEstimate, goal)) / std::log(goal) : 0.0;
-  return std::max({ bySteps, byTime, byError });
-}
-
 void Warn(const RenderOptions& options, const std::vector<std::string>& warnings)
 {
   if (!options.quiet)
@@ -126,7 +140,7 @@ void Solve(Solver& solver, const RenderOptions& options)
   const RunEnd end = solver.Run(budget,
     [&](const StepReport& step)
     {
-      bar.Update(FractionDone(step, budget, before),
+      bar.Update(FractionDone(budget, before, step),
         "step " + std::to_string(step.step) + ", " + step.phase);
       return true;
     });
@@ -188,18 +202,20 @@ void RenderWithSolver(const RenderOptions& options, Scene scene, const std::vect
   Stopwatch watch;
   Solver solver(std::move(scene), options.solver);
   report.buildSeconds = watch.Lap();
-  for (std::size_t k = 0; k < cameras.size(); ++k)
+  ImageWriter writer(options, cameras.size());
+  for (const Camera& camera : cameras)
   {
-    FrameReport frame = SolveFrame(options, solver, cameras[k]);
+    FrameReport frame = SolveFrame(options, solver, camera);
     if (options.WantsImage())
     {
       watch.Lap();
-      const Image image = DrawFrame(options, solver, cameras[k], frame);
+      const Image image = DrawFrame(options, solver, camera, frame);
       frame.imageSeconds = watch.Lap();
-      WriteImages(options, image, k, cameras.size());
+      writer.Write(image);
     }
     Add(frame, report);
   }
+  report.exposure = writer.Exposure();
   const StepReport last = LastStep(solver);
   report.elements = last.elements;
   report.interactions = last.interactions;
@@ -231,7 +247,9 @@ void RenderWithPathTracer(
   report.errorEstimate = figures.relativeNoise;
   report.rays = figures.rays;
   report.steps = static_cast<std::uint64_t>(figures.samplesPerPixel);
-  WriteImages(options, image);
+  ImageWriter writer(options, 1);
+  writer.Write(image);
+  report.exposure = writer.Exposure();
 }
 
 int Render(RenderOptions options)

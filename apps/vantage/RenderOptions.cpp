@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 namespace vantage
@@ -43,12 +44,12 @@ void DeclareCamera(CLI::App& command, RenderOptions& options)
   command.add_option("--up", options.up, "Upward direction X Y Z [0 0 1 without a camera]");
   command.add_option("--fov", options.fieldOfView, "Vertical field of view, degrees");
   command.add_option("--size", options.size, "Pixels W H [height 512]");
-  command.add_option(
-    "--samples-per-pixel", options.samplesPerPixel, "Primary rays; of path-tracing, paths [4; 64]");
+  command.add_option("--samples-per-pixel", options.samplesPerPixel,
+    "Primary rays; of path-tracing, paths [4; 64 without --steps and --time]");
   command.add_flag("--pixel-centres", options.pixelCentres, "Primary rays through centres only");
   command.add_flag("--flat", options.flat, "One radiance an element, not interpolated");
   command.add_option("--exposure", options.toneMapping.exposure,
-    "Of .png: radiance is multiplied by 2^EV [automatic]");
+    "Of .png: radiance is multiplied by 2^EV [automatic, the first camera's]");
 }
 
 void DeclareSolver(CLI::App& command, RenderOptions& options)
@@ -178,7 +179,35 @@ void RenderOptions::Resolve()
     throw InputError("--samples-per-pixel and --flat: the image of goal-oriented is gathered, not "
                      "drawn from elements; drop them or choose another --method");
   }
+  if (this->IsGathered())
+  {
+    this->MakeGatherSettings(Camera()).Validate();
+  }
+  this->RequireOptionsOfTheMethod();
   this->CheckOutputs();
+}
+
+void RenderOptions::RequireOptionsOfTheMethod() const
+{
+  const RenderOptions usual;
+  const RefinementSettings& asked = this->solver.refinement;
+  const RefinementSettings& known = usual.solver.refinement;
+  const bool areOfThePaper =
+    this->granularity != usual.granularity || this->oracle != usual.oracle ||
+    asked.formFactorTolerance != known.formFactorTolerance ||
+    asked.powerTolerance != known.powerTolerance ||
+    asked.shadowTolerance != known.shadowTolerance || !this->solver.initialPhase;
+  if (this->IsGathered() && areOfThePaper)
+  {
+    throw InputError("--granularity, --oracle, --form-factor-tolerance, --power-tolerance, "
+                     "--shadow-tolerance and --no-initial-phase: goal-oriented has no use for "
+                     "them; drop them or choose another --method");
+  }
+  if (!this->IsGathered() && !this->solver.importance)
+  {
+    throw InputError("--no-importance: it is of goal-oriented; drop it, or choose "
+                     "progressive-shooting as a method without importance");
+  }
 }
 
 void RenderOptions::CheckOutputs() const
@@ -285,11 +314,13 @@ double RenderOptions::ErrorOfElements() const
 PathTracerSettings RenderOptions::MakePathTracerSettings() const
 {
   PathTracerSettings settings;
-  settings.samplesPerPixel = this->samplesPerPixel.value_or(settings.samplesPerPixel);
-  if (this->steps)
+  // The least of what is asked for; the default where nothing is.
+  constexpr std::uint64_t noLimit = std::numeric_limits<int>::max();
+  if (this->samplesPerPixel || this->steps || this->seconds)
   {
-    settings.samplesPerPixel = static_cast<int>(
-      std::min<std::uint64_t>(*this->steps, static_cast<std::uint64_t>(settings.samplesPerPixel)));
+    const std::uint64_t samples = this->samplesPerPixel.value_or(noLimit);
+    settings.samplesPerPixel =
+      static_cast<int>(std::min({ samples, this->steps.value_or(noLimit), noLimit }));
   }
   settings.pixelCentres = this->pixelCentres;
   settings.seed = this->solver.seed;

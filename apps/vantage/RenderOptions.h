@@ -75,6 +75,7 @@ struct RenderOptions
   static std::string FramePath(const std::string& output, std::size_t k, std::size_t n);
 
 private:
+  void RequireOptionsOfTheMethod() const;
   void CheckOutputs() const;
 };
 

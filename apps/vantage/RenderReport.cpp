@@ -61,6 +61,7 @@ std::string PrintReport(const RenderReport& report)
     { "method", report.method },
     { "viewFlux", report.viewFlux },
     { "errorEstimate", report.errorEstimate },
+    { "exposure", report.exposure ? nlohmann::ordered_json(*report.exposure) : nullptr },
     { "elements", report.elements },
     { "interactions", report.interactions },
     { "rays", report.rays },

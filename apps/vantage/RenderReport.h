@@ -2,6 +2,7 @@
 
 #include "core/Solver.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct RenderReport
   double viewFlux = 0.0;      ///< of the last frame, W m^-2, mean of channels
   double errorEstimate = 0.0; ///< of the last frame: StepReport::errorEstimate, with that of the
                               ///< gather where the image is gathered; of path tracing, noise
+  std::optional<double> exposure; ///< of the .png images, as --exposure; none without images
   std::size_t elements = 0;
   std::size_t interactions = 0;
   std::uint64_t rays = 0;          ///< all of them

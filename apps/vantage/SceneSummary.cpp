@@ -70,6 +70,10 @@ std::vector<std::string> SceneWarnings(const Scene& scene, const FacetSet& facet
   Count(report.degeneratePolygons, "polygons have no area and were dropped", lines);
   Count(report.nonPlanarPolygons, "polygons are not flat and were triangulated", lines);
   Count(report.duplicateFacets, "faces lie on an equal one and were dropped", lines);
+  for (const std::string& line : WarningsOf(scene.materials))
+  {
+    lines.push_back(line);
+  }
   if (EmittersOf(scene, facets).empty())
   {
     lines.push_back("nothing emits light, all will be black; give a material an emission (Ke)");

@@ -69,8 +69,10 @@ std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& 
   records.reserve(transport.LinkCount());
   for (const Link& link : transport.Links())
   {
+    const LinkKind kind = KindOf(tree, link);
+    const auto sent = [&](int end) { return transport.Radiance().Weighted(kind, link.ends[end]); };
     const auto power = [&](int end)
-    { return Mean(transport.Radiance().Value(link.ends[end])) * link.throughput; };
+    { return link.throughput * transport.ClosureOf(kind, link.ends[1 - end]) * Mean(sent(end)); };
     const int shooter = power(1) > power(0) ? 1 : 0;
     const OpenId from = link.ends[shooter];
     const OpenId to = link.ends[1 - shooter];
@@ -87,9 +89,8 @@ std::vector<InteractionRecord> ExtractInteractions(const GoalOrientedTransport& 
     record.contribution = 0.0;
     for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
     {
-      record.contribution +=
-        link.throughput * Mean(transport.Radiance().Value(link.ends[end]) *
-                               transport.Importance().Value(link.ends[1 - end]));
+      record.contribution += link.throughput * Mean(sent(end) * transport.Importance().Weighted(
+                                                                  kind, link.ends[1 - end]));
     }
     record.step = link.step;
     records.push_back(record);

@@ -3,7 +3,6 @@
 #include "core/transport/ExtractRadianceSolution.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vantage
 {
@@ -64,8 +63,7 @@ void ShootingEngine::Prepare(const std::function<bool()>& mayGoOn)
 
 double ShootingEngine::ErrorEstimate() const
 {
-  return this->StepCount > 0 ? this->Order->Rest(this->State).relativeUnshot
-                             : std::numeric_limits<double>::infinity();
+  return this->Order->Rest(this->State).relativeUnshot;
 }
 
 /// Emitters in the order of the initial phase: the strongest first.

@@ -43,11 +43,12 @@ struct InteractionRecord
   /// Level of a cluster of patches, whose patch is None.
   static constexpr int ClusterLevel = -1;
 
-  PatchId shooter, receiver;       ///< patches of the two ends
+  PatchId shooter, receiver;       ///< patches of the two ends; None: a cluster
   int shooterLevel, receiverLevel; ///< 0: the patch itself
   double formFactor;               ///< F shooter -> receiver, sr, visibility included
   double visibility;               ///< visible fraction
-  double shotFlux;                 ///< power carried so far, both directions, W, mean of channels
+  double shotFlux;                 ///< power carried so far, both directions, W, mean of channels;
+                                   ///< goal-oriented: with its closure (goal/RowClosure.h)
   double contribution;             ///< of what was carried, to the view flux (same unit as Phi)
   std::uint64_t step;              ///< in which it was made
 };

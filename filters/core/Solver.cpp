@@ -101,6 +101,16 @@ void Budget::Validate() const
   }
 }
 
+double FractionDone(const Budget& budget, const StepReport& before, const StepReport& now)
+{
+  const double goal = std::max(budget.error, RoundOff);
+  const double byError = std::log(std::max(now.errorEstimate, goal)) / std::log(goal);
+  const double bySteps =
+    static_cast<double>(now.step - before.step) / static_cast<double>(budget.steps);
+  const double byTime = (now.seconds - before.seconds) / budget.seconds;
+  return std::clamp(std::max({ 0.0, byError, bySteps, byTime }), 0.0, 1.0);
+}
+
 /// What the public face hides: it composes the layers.
 struct Solver::Implementation
 {
@@ -308,6 +318,8 @@ std::vector<std::string> Solver::Warnings() const
     warnings.push_back("scene: dropped " + std::to_string(s.facets.report.degeneratePolygons) +
                        " polygons without area");
   }
+  const std::vector<std::string> ofMaterials = WarningsOf(s.scene.materials);
+  warnings.insert(warnings.end(), ofMaterials.begin(), ofMaterials.end());
   return warnings;
 }
 

@@ -56,6 +56,11 @@ struct Budget
   void Validate() const;
 };
 
+/// The part of a budget that is used up, 0 to 1, by the criterion that is nearest to its end.
+/// `before`: the last step of earlier runs. Errors fall geometrically, so their logarithms tell how
+/// far they are.
+double FractionDone(const Budget& budget, const StepReport& before, const StepReport& now);
+
 /// Of the error of a picture, the parts that are left to the solution and to the gather; they are
 /// independent, so their squares add up to that of the whole. Measured: the least time to a true
 /// error of 1 % in labyrinths and study scenes, where nineteen pictures of twenty keep what was
@@ -127,9 +132,11 @@ public:
   RunEnd Run(const Budget& budget = {}, const Observer& observer = {});
 
   const std::vector<StepReport>& History() const;
-  /// What is unusual about the scene, one line each: no emitter, no view, mended polygons.
+  /// What is unusual about the scene, one line each: no emitter, no view, mended polygons, specular
+  /// materials.
   std::vector<std::string> Warnings() const;
 
+  /// Before the first step what is emitted.
   ElementSolution Elements() const;
   /// In the order they were made.
   std::vector<InteractionRecord> Interactions() const;

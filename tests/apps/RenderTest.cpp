@@ -143,6 +143,42 @@ TEST(Render, StopsAfterTheStepsAskedFor)
   EXPECT_EQ(nlohmann::json::parse(test::ReadText(folder / "r.json"))["steps"], 3);
 }
 
+TEST(Render, PathTracingTakesAsManySamplesAsAreAskedFor)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const auto samplesOf = [&](const std::string& budget)
+  {
+    EXPECT_EQ(
+      Render(folder, "-o a.exr --report r.json --method path-tracing " + budget).exitCode, 0);
+    return nlohmann::json::parse(test::ReadText(folder / "r.json"))["steps"].get<int>();
+  };
+  EXPECT_EQ(samplesOf(""), 64);
+  EXPECT_EQ(samplesOf("--steps 100"), 100);
+  EXPECT_EQ(samplesOf("--steps 100 --samples-per-pixel 7"), 7);
+  EXPECT_EQ(samplesOf("--steps 3 --samples-per-pixel 7"), 3);
+  EXPECT_EQ(samplesOf("--time 100 --steps 3"), 3);
+}
+
+TEST(Render, AWalkHasOneExposure)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  const auto exposureOf = [&](const std::string& arguments)
+  {
+    EXPECT_EQ(Render(folder, arguments + " --report r.json").exitCode, 0);
+    return nlohmann::json::parse(test::ReadText(folder / "r.json"))["exposure"];
+  };
+  const double automatic = exposureOf("-o a.png");
+  EXPECT_EQ(exposureOf("-o a.png --exposure 2.5"), 2.5);
+  EXPECT_TRUE(exposureOf("--steps 1").is_null());
+  // The same room seen by another camera, alone and after the first one.
+  folder.Write("walk.txt", "# camera a eye -.9 0 0 look-at 1 0 -.2 up 0 0 1 fov 60 aspect 1\n"
+                           "# camera b eye 0 0 0 look-at 0 0 -1 up 0 1 0 fov 20 aspect 1\n");
+  EXPECT_DOUBLE_EQ(exposureOf("-o w.png --walk walk.txt"), automatic);
+  EXPECT_NE(exposureOf("-o b.png --eye 0 0 0 --look-at 0 0 -1 --up 0 1 0 --fov 20"), automatic);
+}
+
 TEST(Render, IsTheSameForAnyNumberOfThreads)
 {
   const TemporaryFolder folder;

@@ -179,6 +179,29 @@ TEST(ImportanceDrivenShooting, AnErrorThatCannotBeReachedEndsWithAWarning)
   EXPECT_NE(recorder.Take().find("MinimumElementSize"), std::string::npos);
 }
 
+TEST(ImportanceDrivenShooting, WithoutLightOrViewThereIsNothingToDo)
+{
+  for (const std::string& method : vantage::MethodNames())
+  {
+    SCOPED_TRACE(method);
+    const auto filter = MakeFilter();
+    ErrorRecorder recorder(filter);
+    filter->SetMethod(method.c_str());
+    const vtkSmartPointer<vtkPolyData> lit =
+      vtkPolyData::SafeDownCast(filter->GetInputDataObject(0, 0));
+    filter->SetInputData(Scaled(lit, "Emission", 0.0));
+    filter->Update();
+    EXPECT_NE(recorder.Take().find("nothing in it emits light"), std::string::npos);
+    EXPECT_EQ(ElementsOf(filter)->GetCellData()->GetArray("Radiance")->GetRange(-1)[1], 0.0);
+    filter->SetInputData(lit);
+    filter->SetCameraName("");
+    filter->SetEyePosition(10.0, 10.0, 10.0);
+    filter->SetFocalPoint(20.0, 20.0, 20.0);
+    filter->Update();
+    EXPECT_NE(recorder.Take().find("it sees nothing"), std::string::npos);
+  }
+}
+
 TEST(ImportanceDrivenShooting, GoalOrientedRunsToItsErrorAndContinues)
 {
   const auto filter = MakeFilter();

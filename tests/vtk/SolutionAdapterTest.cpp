@@ -131,6 +131,18 @@ TEST(SolutionAdapter, AnInteractionIsALineFromShooterToReceiver)
   EXPECT_EQ(CellValue(links, "Step", 1), 13);
 }
 
+TEST(SolutionAdapter, ClustersHaveNoPatch)
+{
+  InteractionRecord record{};
+  record.shooter = 7;
+  record.receiver = None;
+  record.receiverLevel = InteractionRecord::ClusterLevel;
+  const auto links = InteractionsToPolyData({ record });
+  EXPECT_EQ(CellValue(links, "Shooter", 0), 7);
+  EXPECT_EQ(CellValue(links, "Receiver", 0), -1);
+  EXPECT_EQ(CellValue(links, "ReceiverLevel", 0), -1);
+}
+
 TEST(SolutionAdapter, HistoryHasARowForEachStep)
 {
   StepReport report;

@@ -5,6 +5,7 @@
 #include "TestScenes.h"
 #include "core/Solver.h"
 #include "vtkImportanceDrivenShooting.h"
+#include "vtkRadianceToneMapping.h"
 #include "vtkTransportSolution.h"
 
 #include <vtkCamera.h>
@@ -14,6 +15,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -30,8 +32,8 @@ namespace vantage
 namespace
 {
 
-constexpr int Width = 24;
-constexpr int Height = 16;
+constexpr int Width = 30;
+constexpr int Height = 24; // the aspect ratio of the scene's camera
 
 vtkSmartPointer<vtkImportanceDrivenShooting> MakeShooting()
 {
@@ -114,6 +116,75 @@ TEST(ViewGather, ThePictureIsWhatTheCoreGathers)
   ASSERT_NE(error, nullptr);
   const double solved = shooting->GetSolver()->History().back().errorEstimate;
   EXPECT_DOUBLE_EQ(error->GetTuple1(0), std::hypot(solved, view.report.errorEstimate));
+  vtkDataArray* ofGather = gather->GetOutput()->GetFieldData()->GetArray("GatherErrorEstimate");
+  ASSERT_NE(ofGather, nullptr);
+  EXPECT_EQ(ofGather->GetTuple1(0), view.report.errorEstimate);
+}
+
+/// The messages of one more picture, and whether it says how good it is as a whole.
+std::pair<std::string, bool> WarningsAndEstimateOf(vtkViewGather* gather)
+{
+  ErrorRecorder recorder(gather);
+  gather->Update();
+  vtkFieldData* fields = gather->GetOutput()->GetFieldData();
+  EXPECT_TRUE(fields->HasArray("GatherErrorEstimate"));
+  return { recorder.Take(), fields->HasArray("ErrorEstimate") != 0 };
+}
+
+TEST(ViewGather, AnErrorThatNobodyKnowsIsNotStated)
+{
+  const auto shooting = MakeShooting();
+  const auto gather = MakeGather(shooting);
+  EXPECT_EQ(WarningsAndEstimateOf(gather), std::make_pair(std::string(), true));
+  gather->SetHeight(Height + 6); // narrower: part of the view
+  EXPECT_EQ(WarningsAndEstimateOf(gather), std::make_pair(std::string(), false));
+  gather->SetHeight(Height - 6);
+  const auto [warning, isEstimated] = WarningsAndEstimateOf(gather);
+  EXPECT_NE(warning.find("wider than what was solved for; give Aspect 1.66"), std::string::npos)
+    << warning;
+  EXPECT_FALSE(isEstimated);
+  gather->SetHeight(Height);
+  const vtkNew<vtkCamera> other;
+  other->SetPosition(0.5, 0.5, 0.5);
+  other->SetFocalPoint(0.5, 0.9, 0.5);
+  other->SetViewUp(0.0, 0.0, 1.0);
+  gather->SetCamera(other);
+  EXPECT_EQ(WarningsAndEstimateOf(gather), std::make_pair(std::string(), false));
+
+  shooting->SetMethod("importance-shooting"); // its estimate is of what is unshot
+  gather->SetCamera(nullptr);
+  EXPECT_EQ(WarningsAndEstimateOf(gather), std::make_pair(std::string(), false));
+}
+
+TEST(ViewGather, FiltersOfImagesTakeThePicture)
+{
+  const auto shooting = MakeShooting();
+  const auto gather = MakeGather(shooting);
+  const vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(gather->GetOutputPort());
+  shrink->SetShrinkFactors(2, 2, 1);
+  const ErrorRecorder recorder(shrink->GetExecutive());
+  shrink->Update();
+  vtkImageData* small = shrink->GetOutput();
+  EXPECT_EQ(small->GetDimensions()[0], Width / 2);
+  EXPECT_EQ(small->GetScalarType(), VTK_FLOAT);
+  ASSERT_EQ(small->GetNumberOfScalarComponents(), 3);
+  vtkImageData* picture = gather->GetOutput();
+  double mean = 0.0;
+  for (const auto& [x, y] : { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1) })
+  {
+    mean += 0.25 * picture->GetScalarComponentAsDouble(2 + x, 4 + y, 0, 1);
+  }
+  EXPECT_NEAR(small->GetScalarComponentAsDouble(1, 2, 0, 1), mean, 1e-6 * mean); // floats
+  EXPECT_EQ(small->GetSpacing()[0], 2.0);
+
+  const vtkNew<vtkRadianceToneMapping> mapping;
+  mapping->SetInputConnection(gather->GetOutputPort());
+  shrink->SetInputConnection(mapping->GetOutputPort());
+  shrink->Update();
+  EXPECT_EQ(shrink->GetOutput()->GetScalarType(), VTK_UNSIGNED_CHAR);
+  EXPECT_EQ(shrink->GetOutput()->GetNumberOfScalarComponents(), 3);
+  EXPECT_GT(shrink->GetOutput()->GetScalarComponentAsDouble(1, 2, 0, 0), 0.0);
 }
 
 TEST(ViewGather, ElementIdsAndDepthsAreOfTheCellThatAPixelSees)
@@ -268,7 +339,7 @@ TEST(ViewGather, PrintSelfNamesEveryParameter)
   gather->Update();
   std::ostringstream text;
   gather->Print(text);
-  for (const char* name : { "Camera: (none)", "CameraName:", "Width: 24", "Height: 16",
+  for (const char* name : { "Camera: (none)", "CameraName:", "Width: 30", "Height: 24",
          "Error: 0.1", "PixelCentres: off", "Seed: 1" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;

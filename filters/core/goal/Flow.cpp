@@ -48,7 +48,7 @@ void Flow::Follow(const OpenTree& tree)
     this->Sources.emplace_back(0.0);
     this->SourceRms.push_back(0.0);
     this->Values.push_back(parent == None ? Color(0.0) : Color(this->Values[parent]));
-    for (std::vector<Color>& weighted : this->Weighted)
+    for (std::vector<Color>& weighted : this->WeightedValues)
     {
       weighted.push_back(parent == None ? Color(0.0) : Color(weighted[parent]));
     }
@@ -61,20 +61,20 @@ void Flow::Follow(const OpenTree& tree)
 void Flow::Clear()
 {
   this->Values = this->Sources;
-  this->Weighted = { this->Sources, this->Sources };
+  this->WeightedValues = { this->Sources, this->Sources };
   std::fill(this->Spreads.begin(), this->Spreads.end(), 0.0);
 }
 
 double Flow::Sweep(const LinkMatrix& matrix, const Closure& closure, bool isBalanced)
 {
-  const std::vector<Color> incoming = Gathered(matrix, closure, this->Weighted);
+  const std::vector<Color> incoming = Gathered(matrix, closure, this->WeightedValues);
   for (const LinkMatrix::Leaf& leaf : matrix.Leaves())
   {
     this->Incoming[leaf.id] = incoming[leaf.id];
   }
   const double scale = isBalanced ? this->ScaleOfReceived(matrix) : 1.0;
   const double change = this->ReflectAtLeaves(matrix, closure, scale);
-  for (std::vector<Color>& weighted : this->Weighted)
+  for (std::vector<Color>& weighted : this->WeightedValues)
   {
     matrix.AverageUp(weighted);
   }
@@ -133,7 +133,7 @@ double Flow::ReflectAtLeaves(const LinkMatrix& matrix, const Closure& closure, d
     this->Values[id] = value;
     for (const LinkKind kind : LinkKinds)
     {
-      this->Weighted[kind][id] = closure[kind][id] * value;
+      this->WeightedValues[kind][id] = closure[kind][id] * value;
     }
   }
   return total > 0.0 ? change / total : 0.0;
@@ -150,7 +150,7 @@ void Flow::FindSpreads(
   std::vector<double> shadows(tree.Size(), 0.0);
   for (const Link& link : links)
   {
-    const std::vector<Color>& values = this->Weighted[KindOf(tree, link)];
+    const std::vector<Color>& values = this->WeightedValues[KindOf(tree, link)];
     for (int end = 0; end < (link.IsSelf() ? 1 : 2); ++end)
     {
       const OpenId to = link.ends[end];

@@ -47,6 +47,8 @@ public:
 
   /// Means over the nodes, weighted by area. \pre FindSpreads, but for leaves
   const Color& Value(OpenId id) const { return this->Values[id]; }
+  /// The mean of d times value, d that of a kind of links.
+  const Color& Weighted(LinkKind kind, OpenId id) const { return this->WeightedValues[kind][id]; }
   /// Standard deviation of the mean channel over the node: between the leaves below, and within
   /// them as the variation of their links tells, and, of clusters, SpreadOfCluster().
   /// \pre FindSpreads
@@ -62,8 +64,12 @@ public:
   /// Of any node. \pre FindSpreads, but for leaves
   double RmsOfSource(OpenId id) const { return this->SourceRms[id]; }
   const Color& Source(OpenId id) const { return this->Sources[id]; }
-  /// What came over links: Value - Source. \pre FindSpreads, but for leaves
-  Color Received(OpenId id) const { return this->Values[id] - this->Sources[id]; }
+  /// What came over links: Value - Source; nothing before the first sweep. \pre FindSpreads, but
+  /// for leaves
+  Color Received(OpenId id) const
+  {
+    return glm::max(this->Values[id] - this->Sources[id], Color(0.0));
+  }
 
   /// Of the mean channel of Received(), the part in [0, 1] that has been reflected once only: it
   /// came straight from a source. \pre FindStraight
@@ -83,8 +89,8 @@ private:
   std::vector<Color> Sources; ///< of each node
   std::vector<double> SourceRms;
   std::vector<Color> Values;
-  OfKinds<std::vector<Color>> Weighted; ///< d times value, mean
-  std::vector<Color> Incoming;          ///< of leaves: irradiance, times d
+  OfKinds<std::vector<Color>> WeightedValues; ///< d times value, mean
+  std::vector<Color> Incoming;                ///< of leaves: irradiance, times d
   std::vector<double> Spreads;
   std::vector<double> Straight; ///< see StraightPart(), mean channel
 };

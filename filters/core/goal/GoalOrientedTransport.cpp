@@ -47,6 +47,7 @@ GoalOrientedTransport::GoalOrientedTransport(ElementTree tree, const OccluderSce
   , Evaluator(this->Open, occluders, settings.visibilityRays, settings.seed)
 {
   this->Evaluate({ LinkRequest{ { 0, 0 } } });
+  this->FollowTree();
 }
 
 void GoalOrientedTransport::SetOptics(std::vector<PatchOptics> optics)

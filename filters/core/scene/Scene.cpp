@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vantage
@@ -109,6 +110,20 @@ void Scene::AddPolygon(const std::vector<Vec3>& points, std::uint32_t material)
   }
   this->offsets.push_back(static_cast<std::uint32_t>(this->indices.size()));
   this->materialOfPolygon.push_back(material);
+}
+
+std::vector<std::string> WarningsOf(const std::vector<Material>& materials)
+{
+  const auto isSpecular = [](const Material& m) { return MaxChannel(m.specular) > 0.0; };
+  const auto count = std::count_if(materials.begin(), materials.end(), isSpecular);
+  if (count == 0)
+  {
+    return {};
+  }
+  const auto first = std::find_if(materials.begin(), materials.end(), isSpecular);
+  return { "materials: the specular part of '" + first->name + "'" +
+           (count > 1 ? " and of " + std::to_string(count - 1) + " more" : "") +
+           " is left out, as all surfaces are computed as diffuse" };
 }
 
 void Scene::Validate() const

@@ -32,6 +32,9 @@ struct Material
   bool twoSided = true;   ///< false: the back side neither reflects nor emits (it still occludes)
 };
 
+/// What materials have that no method computes, one line each: specular parts.
+std::vector<std::string> WarningsOf(const std::vector<Material>& materials);
+
 /// Polygons over shared vertices. Polygon p has the vertices indices[offsets[p]] ..
 /// indices[offsets[p + 1] - 1], counter-clockwise seen from its front (right-hand rule).
 struct Scene

@@ -51,8 +51,9 @@ void ImportanceGathering::Perform(Transport& transport, const Step& step, std::u
   this->LastMoved = step.quantity;
 }
 
-Residual ImportanceGathering::Rest(const Transport& transport) const
+Residual ImportanceGathering::Rest(const Transport& transport)
 {
+  this->CountNewInteractions(transport);
   ViewResidual rest;
   for (PatchId p = 0; p < PatchCount(transport); ++p)
   {

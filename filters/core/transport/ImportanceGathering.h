@@ -37,7 +37,7 @@ public:
   std::optional<Step> Next(Transport& transport, std::uint32_t stepNumber) override;
   void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) override;
   /// Unshot power: all that is there to be gathered, and what emitters without interactions emit.
-  Residual Rest(const Transport& transport) const override;
+  Residual Rest(const Transport& transport) override;
   void RestartRadiance(const Transport& transport) override;
   void RestartImportance() override;
 

@@ -54,8 +54,9 @@ void InteractionSchedule::Perform(Transport& transport, const Step& step, std::u
   this->LastShot = step.quantity;
 }
 
-Residual InteractionSchedule::Rest(const Transport& transport) const
+Residual InteractionSchedule::Rest(const Transport& transport)
 {
+  this->Refresh(transport);
   ViewResidual rest;
   for (const PatchState& state : this->States)
   {
@@ -150,7 +151,7 @@ std::optional<Step> InteractionSchedule::HighestRanked(
   }
 }
 
-void InteractionSchedule::Refresh(Transport& transport)
+void InteractionSchedule::Refresh(const Transport& transport)
 {
   for (PatchId p = 0; p < this->States.size(); ++p)
   {
@@ -163,7 +164,7 @@ void InteractionSchedule::Refresh(Transport& transport)
 }
 
 InteractionSchedule::PatchState InteractionSchedule::Assess(
-  Transport& transport, PatchId patch) const
+  const Transport& transport, PatchId patch) const
 {
   if (!transport.Tree().Patches()[patch].IsActive())
   {

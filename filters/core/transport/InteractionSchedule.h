@@ -23,7 +23,7 @@ public:
 
   std::optional<Step> Next(Transport& transport, std::uint32_t stepNumber) override;
   void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) override;
-  Residual Rest(const Transport& transport) const override;
+  Residual Rest(const Transport& transport) override;
   void RestartRadiance(const Transport& transport) override;
   void RestartImportance() override;
 
@@ -47,8 +47,8 @@ private:
   std::optional<Step> NextInTurn(Transport& transport, std::uint32_t stepNumber);
   std::optional<Step> HighestRanked(
     Transport& transport, Quantity quantity, std::uint32_t stepNumber);
-  void Refresh(Transport& transport);
-  PatchState Assess(Transport& transport, PatchId patch) const;
+  void Refresh(const Transport& transport);
+  PatchState Assess(const Transport& transport, PatchId patch) const;
   PatchState AssessUnexpanded(const Transport& transport, PatchId patch) const;
   void MarkStale(Transport& transport, PatchId patch, bool withNeighbours);
   void MarkAllStale();

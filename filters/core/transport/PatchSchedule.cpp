@@ -56,7 +56,7 @@ void PatchSchedule::Perform(Transport& transport, const Step& step, std::uint32_
   this->LastShot = step.quantity;
 }
 
-Residual PatchSchedule::Rest(const Transport& transport) const
+Residual PatchSchedule::Rest(const Transport& transport)
 {
   ViewResidual rest;
   const bool usesImportance = this->TheMethod == Method::ImportanceShooting;
@@ -195,7 +195,7 @@ void GatheringSchedule::Perform(Transport& transport, const Step& step, std::uin
   this->Cursor = (step.patch + 1) % PatchCount(transport);
 }
 
-Residual GatheringSchedule::Rest(const Transport& transport) const
+Residual GatheringSchedule::Rest(const Transport& transport)
 {
   Residual rest;
   rest.unshotPower = std::accumulate(this->LastChange.begin(), this->LastChange.end(), 0.0);

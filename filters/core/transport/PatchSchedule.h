@@ -22,7 +22,7 @@ public:
 
   std::optional<Step> Next(Transport& transport, std::uint32_t stepNumber) override;
   void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) override;
-  Residual Rest(const Transport& transport) const override;
+  Residual Rest(const Transport& transport) override;
   void RestartRadiance(const Transport& transport) override;
   void RestartImportance() override;
 
@@ -60,7 +60,7 @@ public:
   void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) override;
   /// Unshot power: the sum of the changes that the last gathering of each patch made, so that it
   /// is above the emitted power until the first sweep is over.
-  Residual Rest(const Transport& transport) const override;
+  Residual Rest(const Transport& transport) override;
   void RestartRadiance(const Transport& transport) override;
   void RestartImportance() override {}
 

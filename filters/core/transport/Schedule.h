@@ -53,8 +53,8 @@ public:
   /// radiance from any whole patch.
   virtual void Perform(Transport& transport, const Step& step, std::uint32_t stepNumber) = 0;
 
-  /// As of the last call of Next() and Perform().
-  virtual Residual Rest(const Transport& transport) const = 0;
+  /// As of now; before the first step as well.
+  virtual Residual Rest(const Transport& transport) = 0;
 
   /// Emission or materials have changed: nothing is shot.
   virtual void RestartRadiance(const Transport& transport) = 0;

@@ -72,6 +72,12 @@ vtkSmartPointer<vtkStringArray> PhasesOf(const std::vector<StepReport>& history)
   return phases;
 }
 
+void AddFieldValue(vtkDataObject* data, const char* name, double value)
+{
+  data->GetFieldData()->AddArray(
+    MakeArray<vtkDoubleArray>(name, 1, [&](std::size_t) { return value; }));
+}
+
 vtkIdType IdOrMinusOne(std::uint32_t id)
 {
   return id == None ? -1 : static_cast<vtkIdType>(id);
@@ -113,8 +119,7 @@ vtkSmartPointer<vtkPolyData> ElementsToPolyData(
   const GatheredElements& gathered, double errorOfSolution)
 {
   vtkSmartPointer<vtkPolyData> elements = ElementsToPolyData(gathered.elements);
-  elements->GetFieldData()->AddArray(MakeArray<vtkDoubleArray>("ErrorEstimate", 1,
-    [&](std::size_t) { return std::hypot(errorOfSolution, gathered.errorEstimate); }));
+  AddFieldValue(elements, "ErrorEstimate", std::hypot(errorOfSolution, gathered.errorEstimate));
   return elements;
 }
 
@@ -134,8 +139,8 @@ vtkSmartPointer<vtkPolyData> InteractionsToPolyData(
   links->SetLines(SeparateLines(static_cast<vtkIdType>(interactions.size())));
 
   const Columns<vtkCellData, Record> columns(links->GetCellData(), interactions);
-  columns.Add<vtkIdTypeArray>("Shooter", [](const Record& r) { return r.shooter; });
-  columns.Add<vtkIdTypeArray>("Receiver", [](const Record& r) { return r.receiver; });
+  columns.Add<vtkIdTypeArray>("Shooter", [](const Record& r) { return IdOrMinusOne(r.shooter); });
+  columns.Add<vtkIdTypeArray>("Receiver", [](const Record& r) { return IdOrMinusOne(r.receiver); });
   columns.Add<vtkIntArray>("ShooterLevel", [](const Record& r) { return r.shooterLevel; });
   columns.Add<vtkIntArray>("ReceiverLevel", [](const Record& r) { return r.receiverLevel; });
   columns.Add<vtkDoubleArray>("FormFactor", [](const Record& r) { return r.formFactor; });
@@ -233,8 +238,12 @@ vtkSmartPointer<vtkImageData> ViewToImageData(
   points->AddArray(MakeArray<vtkIdTypeArray>("ElementId", view.patch.size(), cellOf));
   points->AddArray(MakeArray<vtkFloatArray>(
     "Depth", view.depth.size(), [&](std::size_t k) { return view.depth[k]; }));
-  image->GetFieldData()->AddArray(MakeArray<vtkDoubleArray>("ErrorEstimate", 1,
-    [&](std::size_t) { return std::hypot(solved.errorEstimate, view.report.errorEstimate); }));
+  AddFieldValue(image, "GatherErrorEstimate", view.report.errorEstimate);
+  if (solved.isForItsView && solved.IsMadeFor(camera, width, height))
+  {
+    AddFieldValue(
+      image, "ErrorEstimate", std::hypot(solved.errorEstimate, view.report.errorEstimate));
+  }
   return image;
 }
 
@@ -244,6 +253,7 @@ std::shared_ptr<const SolvedView> ViewOf(
   const auto view = std::make_shared<SolvedView>();
   view->snapshot = solver.Snapshot();
   view->camera = camera;
+  view->isForItsView = solver.Settings().method == Method::GoalOriented;
   view->tree = elements.tree;
   view->nodeOfCell = elements.surface.elements;
   view->errorEstimate = solver.History().empty() ? std::numeric_limits<double>::infinity()

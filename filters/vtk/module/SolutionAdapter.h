@@ -48,8 +48,8 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> ElementsToPolyData(
 ///
 /// | cell array    | type | unit   | content                                               |
 /// |---------------|------|--------|-------------------------------------------------------|
-/// | Shooter       | id   |        | PatchId of the end that radiance leaves first         |
-/// | Receiver      | id   |        | PatchId of the other end                              |
+/// | Shooter       | id   |        | PatchId of the end that sends more; -1: cluster       |
+/// | Receiver      | id   |        | same of the other end                                 |
 /// | ShooterLevel  | int  |        | subdivisions of that end below its patch; -1: cluster |
 /// | ReceiverLevel | int  |        | same of the other end                                 |
 /// | FormFactor    | real | sr     | pi times the classical one, visibility included       |
@@ -70,8 +70,8 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkTable> HistoryToTable(
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image);
 
 /// The same with the point arrays ElementId (id, cell of the elements; -1: none) and Depth (float)
-/// and the field array ErrorEstimate: of the solution and of the gather. `camera` is that of the
-/// view.
+/// and the field arrays GatherErrorEstimate and, where it is known, ErrorEstimate: of the solution
+/// and of the gather. `camera` is that of the view.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ViewToImageData(
   const GatheredView& view, const Camera& camera, const SolvedView& solved);
 

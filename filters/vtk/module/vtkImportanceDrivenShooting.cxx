@@ -22,7 +22,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkImportanceDrivenShooting);
@@ -91,19 +90,6 @@ vantage::Camera CameraOf(vtkImportanceDrivenShooting* filter, const vantage::Sce
   camera.fieldOfView = filter->GetViewAngle();
   camera.aspect = filter->GetAspect();
   return camera;
-}
-
-/// The part of the way to the first limit, 0 to 1. The unshot part falls exponentially, so its
-/// logarithm tells how far it has come.
-double ProgressOf(const vantage::StepReport& report, const vantage::Budget& budget,
-  const vantage::StepReport& before)
-{
-  const double target = std::max(budget.error, 1e-13);
-  const auto steps = static_cast<double>(report.step - before.step);
-  const double progress = std::max(
-    { std::log(report.errorEstimate) / std::log(target), steps / static_cast<double>(budget.steps),
-      (report.seconds - before.seconds) / budget.seconds });
-  return std::isfinite(progress) ? std::clamp(progress, 0.0, 1.0) : 0.0;
 }
 
 } // namespace
@@ -232,7 +218,7 @@ void vtkImportanceDrivenShooting::Solve(vtkPolyData* input)
   const vantage::RunEnd end = solver.Run(budget,
     [&](const vantage::StepReport& report)
     {
-      this->UpdateProgress(ProgressOf(report, budget, before));
+      this->UpdateProgress(vantage::FractionDone(budget, before, report));
       return this->GetAbortExecute() == 0;
     });
   if (end == vantage::RunEnd::Exhausted)

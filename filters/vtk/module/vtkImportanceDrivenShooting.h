@@ -29,8 +29,9 @@ struct ElementSolution;
 /// arrays are chosen with SetInputArrayToProcess: 0 is the albedo ("Albedo" unless chosen; 3
 /// components or 1 for grey; 0.5 when there is no such array), 1 the emitted radiance of the front
 /// side, W m^-2 sr^-1 ("Emission"; 0). An array that was chosen by another name must be there. The
-/// cell arrays Specular, Shininess, TwoSided and MaterialId and the cameras in field data are used
-/// as vtkTransportSceneReader writes them. Polygons with equal values are one material.
+/// cell arrays TwoSided and MaterialId and the cameras in field data are used as
+/// vtkTransportSceneReader writes them. All surfaces are computed as diffuse: that Specular is left
+/// out is warned of. Polygons with equal values are one material.
 ///
 /// The view: a vtkCamera (SetCamera), else the camera of the input that CameraName names, else
 /// EyePosition, FocalPoint, ViewUp and ViewAngle. A vtkCamera has no aspect ratio: Aspect gives it.
@@ -59,9 +60,10 @@ struct ElementSolution;
 /// passed on.
 ///
 /// Output port 1, vtkPolyData: a line for each interaction, with the cell arrays Shooter, Receiver
-/// (PatchId of the ends), ShooterLevel, ReceiverLevel, FormFactor (sr: pi times the classical one,
-/// visibility included), Visibility (visible fraction), ShotFlux (W, both directions), Contribution
-/// (W m^-2, of the shot flux to the view flux) and Step (in which it was made).
+/// (PatchId of the ends; -1: a cluster of patches), ShooterLevel, ReceiverLevel (-1 of a cluster),
+/// FormFactor (sr: pi times the classical one, visibility included), Visibility (visible fraction),
+/// ShotFlux (W, both directions), Contribution (W m^-2, of the shot flux to the view flux) and Step
+/// (in which it was made).
 ///
 /// Output port 2, vtkTable: a row for each step, with the columns Step, Phase (string), Patch (-1:
 /// none), ViewFlux, UnshotViewFlux (W m^-2), UnshotPower (W), ErrorEstimate, Elements,
@@ -196,7 +198,7 @@ public:
 
   ///@{
   /// BF: an interaction about to carry less than this part of the power of the strongest emitter is
-  /// not refined, >= 0. Default: 1e-3.
+  /// not refined, >= 0. Default: 3e-4.
   vtkSetMacro(PowerTolerance, double);
   vtkGetMacro(PowerTolerance, double);
   ///@}

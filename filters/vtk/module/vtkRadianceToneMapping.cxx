@@ -5,6 +5,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -96,6 +97,18 @@ void vtkRadianceToneMapping::MapArrays(vtkDataSet* output) const
     throw vantage::InputError("the input has no point or cell array of numbers '" +
                               this->ArrayName + "'; set ArrayName to one that it has");
   }
+}
+
+/// Filters that make images of images ask for their scalars before there are any.
+int vtkRadianceToneMapping::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (vtkImageData::GetData(info))
+  {
+    vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_UNSIGNED_CHAR, 3);
+  }
+  return 1;
 }
 
 int vtkRadianceToneMapping::RequestData(

@@ -50,7 +50,7 @@ public:
   ///@}
 
   ///@{
-  /// Luminance, after exposure, that becomes pure white, > 0. Default: 4.
+  /// Luminance, after exposure, that becomes pure white, > 0. Default: 2.
   vtkSetMacro(White, double);
   vtkGetMacro(White, double);
   ///@}
@@ -59,6 +59,7 @@ protected:
   vtkRadianceToneMapping();
   ~vtkRadianceToneMapping() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

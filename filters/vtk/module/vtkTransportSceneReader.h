@@ -9,19 +9,18 @@
 ///
 /// Input: none; the file FileName names. The suffix chooses the format:
 /// - .obj, with its .mtl: Kd albedo, Ke emitted radiance, Ks and Ns a normalised Phong lobe;
-/// - .vtp: polygons with any of the cell arrays below; the others are added.
+/// - .vtp: polygons with any of the cell arrays below; the others are added with their defaults.
 ///
 /// Output: vtkPolyData; the front of a polygon is the side its vertices run counter-clockwise on.
 ///
-/// | cell array | type   | components | content                                   | in a .vtp
-/// without |
-/// |------------|--------|------------|-------------------------------------------|-------------------|
-/// | Albedo     | double | 3          | reflected / incident flux, in [0, 1]      | 0.5 | |
-/// Emission   | double | 3          | radiance of the front side, W m^-2 sr^-1  | 0 | | Specular |
-/// double | 3          | reflectance of a Phong lobe, in [0, 1]    | 0                 | |
-/// Shininess  | double | 1          | exponent of that lobe                     | 0 | | TwoSided |
-/// uchar  | 1          | 0: the back neither reflects nor emits    | 1                 | |
-/// MaterialId | int    | 1          | index of the material                     | by equal values |
+/// | cell array | type   | components | content                                   | default  |
+/// |------------|--------|------------|-------------------------------------------|----------|
+/// | Albedo     | double | 3          | reflected / incident flux, in [0, 1]      | 0.5      |
+/// | Emission   | double | 3          | radiance of the front side, W m^-2 sr^-1  | 0        |
+/// | Specular   | double | 3          | reflectance of a Phong lobe, in [0, 1]    | 0        |
+/// | Shininess  | double | 1          | exponent of that lobe                     | 0        |
+/// | TwoSided   | uchar  | 1          | 0: the back neither reflects nor emits    | 1        |
+/// | MaterialId | int    | 1          | index of the material                     | by value |
 ///
 /// Field data: the string array MaterialName, one value for each MaterialId; and of cameras, tuple
 /// k belonging to camera k: CameraName (string), CameraEye, CameraLookAt, CameraUp (3 doubles

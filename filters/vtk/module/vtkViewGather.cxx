@@ -54,6 +54,11 @@ int vtkViewGather::RequestInformation(
   vtkInformation* info = outputVector->GetInformationObject(0);
   const int extent[6] = { 0, this->Width - 1, 0, this->Height - 1, 0, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  const double spacing[3] = { 1.0, 1.0, 1.0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
   return 1;
 }
 
@@ -75,7 +80,7 @@ vantage::Camera vtkViewGather::CameraOf(vtkTransportSolution* solution) const
   return camera;
 }
 
-void vtkViewGather::Gather(vtkTransportSolution* solution, vtkImageData* output) const
+void vtkViewGather::Gather(vtkTransportSolution* solution, vtkImageData* output)
 {
   if (!solution || !solution->HasSolution())
   {
@@ -91,6 +96,13 @@ void vtkViewGather::Gather(vtkTransportSolution* solution, vtkImageData* output)
   settings.Validate();
   const vantage::SolvedView& solved = *solution->GetView();
   const vantage::Camera camera = this->CameraOf(solution);
+  if (solved.isForItsView && solved.LooksAlike(camera) && camera.aspect > solved.camera.aspect &&
+      !solved.IsMadeFor(camera, this->Width, this->Height))
+  {
+    vtkWarningMacro(<< "view: " << this->Width << " x " << this->Height
+                    << " pixels are wider than what was solved for; give Aspect " << camera.aspect
+                    << " to vtkImportanceDrivenShooting");
+  }
   const vantage::GatheredView view = solved.snapshot->Gather(camera, settings);
   output->ShallowCopy(vantage::ViewToImageData(view, camera, solved));
 }

@@ -27,7 +27,8 @@ struct Camera;
 ///
 /// The view: a vtkCamera (SetCamera), else the camera of the scene that CameraName names, else the
 /// one that the solution was made for. Its aspect ratio is that of the image. A goal-oriented
-/// solution is fine only where the camera looks that it was made for.
+/// solution is fine only where the camera looks that it was made for, so give its aspect ratio to
+/// the shooting filter, too.
 ///
 /// Output: vtkImageData of Width x Height x 1, row 0 at the bottom, with the point arrays
 ///
@@ -37,8 +38,10 @@ struct Camera;
 /// | ElementId | 1          | id    | cell of port 0 that the pixel's centre sees; -1: none      |
 /// | Depth     | 1          | float | its distance from the eye, scene units; infinite: nothing  |
 ///
-/// and the field array ErrorEstimate (1 double): the relative L1 error of the picture, of solution
-/// and gather together where the view is the one that the solution was made for.
+/// and the field arrays GatherErrorEstimate (1 double), the relative L1 error that the gather adds
+/// to that of the solution, and ErrorEstimate (1), that of the picture as a whole. There is none of
+/// the latter where it is not known: goal-oriented alone estimates it, and of the view only that it
+/// was made for. A picture of that view that is wider than what was solved for is warned of.
 ///
 /// Works on as many threads as vtkSMPTools; the result does not depend on their number.
 ///
@@ -110,7 +113,7 @@ private:
   void operator=(const vtkViewGather&) = delete;
 
   vantage::Camera CameraOf(vtkTransportSolution* solution) const;
-  void Gather(vtkTransportSolution* solution, vtkImageData* output) const;
+  void Gather(vtkTransportSolution* solution, vtkImageData* output);
 
   vtkCamera* Camera = nullptr;
   std::string CameraName;

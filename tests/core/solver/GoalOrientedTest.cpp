@@ -98,6 +98,52 @@ TEST(GoalOriented, TheEstimateFallsBelowTheGoalAndTheRunEnds)
   }
 }
 
+TEST(GoalOriented, BeforeTheFirstStepThereIsWhatIsEmitted)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver solver(scene, GoalSettings());
+  EXPECT_EQ(solver.Elements().radiance, solver.Elements().emission);
+  solver.SetCamera(scene.cameras[0]);
+  const ElementSolution elements = solver.Elements();
+  EXPECT_EQ(elements.radiance, elements.emission);
+  for (const Color& pixel : Picture(solver, scene.cameras[0]).pixels)
+  {
+    EXPECT_GE(std::min({ pixel.x, pixel.y, pixel.z }), 0.0);
+  }
+}
+
+/// What links carry is what the elements have received: sum of the contributions = <P, L - E>.
+TEST(GoalOriented, ContributionsOfTheLinksAddUpToWhatTheElementsReceive)
+{
+  Scene scene = test::MakeLitBox();
+  for (Vec3& vertex : scene.vertices) // the block stands on nothing: all areas are exposed
+  {
+    vertex.z += vertex.x > 0.5 && vertex.x < 0.9 && vertex.z < 0.9 ? 0.1 : 0.0;
+  }
+  Solver solver = MakeGoalSolver(scene);
+  solver.Run(Error(0.02));
+  double carried = 0.0;
+  double shot = 0.0;
+  for (const InteractionRecord& link : solver.Interactions())
+  {
+    carried += link.contribution;
+    shot += link.shotFlux;
+  }
+  const ElementSolution elements = solver.Elements();
+  double received = 0.0;
+  double incident = 0.0;
+  for (std::size_t k = 0; k < elements.radiance.size(); ++k)
+  {
+    const double area = (*elements.tree)[elements.surface.elements[k]].area;
+    const Color reflected = elements.radiance[k] - elements.emission[k];
+    received += area * Mean(elements.importance[k] * reflected);
+    incident += Pi * area * Mean(reflected / elements.albedo[k]);
+  }
+  // What the sweeps leave, a fiftieth of the error.
+  EXPECT_NEAR(carried / received, 1.0, 0.02 / 50);
+  EXPECT_NEAR(shot / incident, 1.0, 0.02 / 50);
+}
+
 TEST(GoalOriented, TwoRunsContinueAsOneWouldHaveGone)
 {
   const Scene scene = test::MakeLitBox();

@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vantage
 {
 namespace
 {
 
-SolverSettings CoarseSettings(Method method)
+SolverSettings CoarseSettings(Method method, Granularity granularity = Granularity::Patch)
 {
   SolverSettings settings;
   settings.method = method;
+  settings.granularity = granularity;
   settings.refinement.minimumElementSize = 0.3;
   settings.viewRays = 4096;
   return settings;
@@ -87,22 +89,40 @@ TEST(Session, CancellingKeepsWhatIsDone)
   }
 }
 
-class ViewSession : public testing::TestWithParam<Method>
+/// A method, and what a step of it moves.
+struct Way
+{
+  Method method;
+  Granularity granularity;
+};
+
+std::string NameOfWay(const testing::TestParamInfo<Way>& way)
+{
+  std::string name = NameOf(way.param.method) + "_" + NameOf(way.param.granularity);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class ViewSession : public testing::TestWithParam<Way>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(Methods, ViewSession,
-  testing::Values(Method::ImportanceShooting, Method::ImportanceGathering),
-  [](const auto& method)
-  {
-    return method.param == Method::ImportanceShooting ? "ImportanceShooting"
-                                                      : "ImportanceGathering";
-  });
+  testing::Values(Way{ Method::ImportanceShooting, Granularity::Patch },
+    Way{ Method::ImportanceShooting, Granularity::Interaction },
+    Way{ Method::ImportanceGathering, Granularity::Patch }),
+  NameOfWay);
 
 TEST_P(ViewSession, ACameraMoveKeepsRadianceAndInteractions)
 {
   const Scene scene = test::MakeLitBox();
-  Solver solver = MakeSolver(scene, GetParam());
+  SolverSettings settings = CoarseSettings(GetParam().method, GetParam().granularity);
+  if (settings.granularity == Granularity::Interaction)
+  {
+    settings.refinement.minimumElementSize = 2.0; // of as many steps as there are interactions
+  }
+  Solver solver(scene, settings);
+  solver.SetCamera(scene.cameras[0]);
   solver.Run(Error(1e-3));
   const auto radiance = solver.Elements().radiance;
   const auto before = solver.History().back();
@@ -116,29 +136,28 @@ TEST_P(ViewSession, ACameraMoveKeepsRadianceAndInteractions)
 
   // What it converges to is what a fresh solver finds on interactions of its own, up to the
   // tolerances of refinement.
-  solver.Run(Error(1e-6));
-  Solver fresh(scene, CoarseSettings(GetParam()));
+  solver.Run(Error(1e-4));
+  Solver fresh(scene, settings);
   fresh.SetCamera(other);
-  fresh.Run(Error(1e-6));
+  fresh.Run(Error(1e-4));
   EXPECT_NEAR(Mean(solver.ViewFluxOfRadiance()) / Mean(fresh.ViewFluxOfRadiance()), 1.0, 0.01);
 }
 
-class MaterialSession : public testing::TestWithParam<Method>
+class MaterialSession : public testing::TestWithParam<Way>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(Methods, MaterialSession,
-  testing::Values(Method::ProgressiveShooting, Method::ImportanceGathering),
-  [](const auto& method)
-  {
-    return method.param == Method::ProgressiveShooting ? "ProgressiveShooting"
-                                                       : "ImportanceGathering";
-  });
+  testing::Values(Way{ Method::ProgressiveShooting, Granularity::Patch },
+    Way{ Method::ProgressiveShooting, Granularity::Interaction },
+    Way{ Method::BasicShooting, Granularity::Interaction },
+    Way{ Method::ImportanceGathering, Granularity::Patch }),
+  NameOfWay);
 
 TEST_P(MaterialSession, NewMaterialsKeepInteractions)
 {
   const Scene scene = test::MakeLitBox();
-  SolverSettings settings = CoarseSettings(GetParam());
+  SolverSettings settings = CoarseSettings(GetParam().method, GetParam().granularity);
   settings.refinement.oracle = RefinementOracle::F;
   Solver solver(scene, settings);
   solver.SetCamera(scene.cameras[0]);
@@ -166,6 +185,63 @@ TEST_P(MaterialSession, NewMaterialsKeepInteractions)
   {
     // Both are within 1e-10 of the emitted power of the same solution.
     ASSERT_NEAR(Mean(found[i]), Mean(expected[i]), 1e-7);
+  }
+}
+
+/// Of the first estimate there is no step yet.
+TEST(Session, EstimatesBeforeTheFirstStepAreOfAllThereIsToDo)
+{
+  const Scene scene = test::MakeLitBox();
+  for (const std::string& name : FixedGraphMethodNames())
+  {
+    for (const Granularity granularity : { Granularity::Patch, Granularity::Interaction })
+    {
+      const SolverSettings settings = CoarseSettings(MethodFromName(name), granularity);
+      if (Gathers(settings.method) && granularity == Granularity::Interaction)
+      {
+        continue;
+      }
+      SCOPED_TRACE(name + ", " + NameOf(granularity));
+      Solver solver(scene, settings);
+      solver.SetCamera(scene.cameras[0]);
+      EXPECT_EQ(solver.Run(Error(0.3)), RunEnd::Converged);
+      EXPECT_GT(solver.History().back().step, 0u);
+      for (const StepReport& report : solver.History())
+      {
+        EXPECT_GT(report.errorEstimate, 0.0);
+      }
+    }
+  }
+}
+
+TEST(Session, WithoutLightThereIsNothingToDo)
+{
+  Scene dark = test::MakeLitBox();
+  for (Material& material : dark.materials)
+  {
+    material.emission = Color(0.0);
+  }
+  for (const std::string& name : FixedGraphMethodNames())
+  {
+    SCOPED_TRACE(name);
+    Solver solver = MakeSolver(dark, MethodFromName(name));
+    EXPECT_EQ(solver.Run(Error(0.01)), RunEnd::Converged);
+    EXPECT_EQ(Mean(solver.ViewFluxOfRadiance()), 0.0);
+  }
+}
+
+TEST(Session, AViewOfNothingNeedsNothing)
+{
+  const Scene scene = test::MakeLitBox();
+  Camera away = scene.cameras[0];
+  away.eye = Vec3(10.0);
+  away.lookAt = Vec3(20.0);
+  for (const Method method : { Method::ImportanceShooting, Method::ImportanceGathering })
+  {
+    SCOPED_TRACE(NameOf(method));
+    Solver solver = MakeSolver(scene, method);
+    solver.SetCamera(away);
+    EXPECT_EQ(solver.Run(Error(0.01)), RunEnd::Converged);
   }
 }
 
@@ -277,6 +353,38 @@ TEST(Session, UnusualScenesAreToldApartByWarnings)
   buried.Run();
   ASSERT_EQ(buried.Warnings().size(), 1u);
   EXPECT_NE(buried.Warnings()[0].find("camera"), std::string::npos);
+}
+
+TEST(Session, ASpecularPartThatIsLeftOutIsWarnedOf)
+{
+  Scene scene = test::MakeLitBox();
+  EXPECT_TRUE(MakeSolver(scene, Method::GoalOriented).Warnings().empty());
+  scene.materials[1].name = "steel";
+  scene.materials[1].specular = Color(0.1);
+  scene.materials[2].specular = Color(0.2);
+  const std::vector<std::string> warnings = MakeSolver(scene, Method::GoalOriented).Warnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("'steel' and of 1 more"), std::string::npos) << warnings[0];
+}
+
+TEST(Session, TheFractionDoneIsThatOfTheNearestLimit)
+{
+  StepReport before;
+  before.step = 5;
+  before.seconds = 2.0;
+  StepReport now;
+  now.step = 7;
+  now.seconds = 3.0;
+  now.errorEstimate = 0.1;
+  EXPECT_DOUBLE_EQ(FractionDone(Error(1e-4), before, now), 0.25);
+  EXPECT_DOUBLE_EQ(FractionDone(Steps(4), before, now), 0.5);
+  Budget budget = Error(1e-4);
+  budget.seconds = 1.25;
+  EXPECT_DOUBLE_EQ(FractionDone(budget, before, now), 0.8);
+  now.errorEstimate = 0.0;
+  EXPECT_DOUBLE_EQ(FractionDone(budget, before, now), 1.0);
+  now.errorEstimate = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(FractionDone(Error(0.5), before, now), 0.0, 1e-15); // 2 of all steps there can be
 }
 
 TEST(Session, TheFluxNeverFallsAndNeverExceedsTheConvergedOne)
