@@ -13,8 +13,7 @@ namespace vantage
 {
 
 /// For each facet the others whose bounding boxes come closer to its own than the tolerance, in
-/// ascending order. O(n) for facets of like size that are each near a few; O(n k) where k are near
-/// each.
+/// ascending order. O(n log n + their number).
 PackedLists<std::uint32_t> NeighboursOf(const std::vector<Facet>& facets, double tolerance);
 
 } // namespace vantage

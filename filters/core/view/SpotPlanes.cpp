@@ -1,8 +1,8 @@
 #include "core/view/SpotPlanes.h"
 
-#include "core/math/Box.h"
 #include "core/mesh/DisjointSets.h"
 #include "core/mesh/FacetEdges.h"
+#include "core/mesh/TouchingBoxes.h"
 #include "core/view/PatchFrame.h"
 
 #include <algorithm>
@@ -74,17 +74,14 @@ std::vector<std::uint32_t> JoinPlanes(
   const double tolerance = 2.0 * occluders.Tolerance();
   for (const auto& [key, members] : alike)
   {
-    for (std::size_t a = 0; a < members.size(); ++a)
+    std::vector<Box> boxes;
+    for (const std::uint32_t member : members)
     {
-      const Box box(patches[members[a]].shape);
-      for (std::size_t b = a + 1; b < members.size(); ++b)
-      {
-        if (box.Touches(Box(patches[members[b]].shape), tolerance))
-        {
-          sets.Join(members[a], members[b]);
-        }
-      }
+      boxes.emplace_back(patches[member].shape);
     }
+    ForEachTouchingPair(boxes, tolerance,
+      [&sets, &members = members](std::uint32_t a, std::uint32_t b)
+      { sets.Join(members[a], members[b]); });
   }
   std::vector<std::uint32_t> first(patches.size());
   for (std::uint32_t i = 0; i < patches.size(); ++i)
