@@ -157,7 +157,13 @@ Image DrawFrame(
   {
     return solver.Render(camera, options.MakeImageSettings(camera));
   }
-  GatheredView view = solver.Gather(camera, options.MakeGatherSettings(camera));
+  ProgressBar bar(!options.quiet);
+  GatheredView view = solver.Gather(camera, options.MakeGatherSettings(camera),
+    [&bar](double fraction)
+    {
+      bar.Update(fraction, "image");
+      return true;
+    });
   frame.gather = view.report;
   frame.errorEstimate = std::hypot(frame.errorEstimate, view.report.errorEstimate);
   return std::move(view.radiance);

@@ -26,9 +26,10 @@ public:
   /// surfaces reflect is looked up one reflection away. A goal-oriented solution is fine only where
   /// the camera it was solved for looks. The report's error estimate is that of the gather alone.
   /// \throw InputError for a bad camera or bad settings.
-  GatheredView Gather(const Camera& camera, const GatherSettings& settings) const
+  GatheredView Gather(
+    const Camera& camera, const GatherSettings& settings, const GatherObserver& observer = {}) const
   {
-    return GatherView(*this->Occluders, this->Radiance, camera, settings);
+    return GatherView(*this->Occluders, this->Radiance, camera, settings, observer);
   }
 
   /// Bytes held by the radiance; the geometry is shared with the solver.

@@ -373,9 +373,10 @@ std::shared_ptr<const SolutionSnapshot> Solver::Snapshot() const
     this->Impl->occluders, this->Impl->engine->Radiance());
 }
 
-GatheredView Solver::Gather(const Camera& camera, const GatherSettings& settings) const
+GatheredView Solver::Gather(
+  const Camera& camera, const GatherSettings& settings, const GatherObserver& observer) const
 {
-  return this->Snapshot()->Gather(camera, settings);
+  return this->Snapshot()->Gather(camera, settings, observer);
 }
 
 Color Solver::ViewFluxOfRadiance() const

@@ -150,7 +150,8 @@ public:
   /// What Gather() needs, for pictures that outlive the solver or its next step. O(elements).
   std::shared_ptr<const SolutionSnapshot> Snapshot() const;
   /// The picture of a camera; see SolutionSnapshot::Gather().
-  GatheredView Gather(const Camera& camera, const GatherSettings& settings) const;
+  GatheredView Gather(const Camera& camera, const GatherSettings& settings,
+    const GatherObserver& observer = {}) const;
   /// Estimates of Phi, each channel: from radiance <V, L> and from importance <E, P>; they agree
   /// at convergence when all interactions exist (duality).
   Color ViewFluxOfRadiance() const;

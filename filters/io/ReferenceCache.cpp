@@ -1,5 +1,6 @@
 #include "io/ReferenceCache.h"
 
+#include "core/Error.h"
 #include "io/ExrFile.h"
 
 #include <cstdio>
@@ -26,7 +27,13 @@ ReferenceImage CachedReference(const std::string& folder, const std::string& nam
     images.halves = { ReadExr(fileOf(0)), ReadExr(fileOf(1)) };
     return images.Joined();
   }
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+  {
+    throw InputError(folder + ": the folder for references cannot be made (" +
+                     (error ? error.message() : "it is a file") + "); choose another");
+  }
   images = MakeReferenceHalves(scene, camera, settings, progress);
   for (int half = 0; half < 2; ++half)
   {

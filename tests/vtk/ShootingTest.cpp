@@ -382,6 +382,23 @@ TEST(ImportanceDrivenShooting, AbortKeepsWhatIsDoneAndTheNextExecutionContinues)
   EXPECT_EQ(CellColors(ElementsOf(filter), "Radiance"), CellColors(ElementsOf(whole), "Radiance"));
 }
 
+TEST(ImportanceDrivenShooting, AnAbortIsNotFollowedByAGather)
+{
+  const auto filter = MakeFilter();
+  filter->SetMethod("goal-oriented");
+  filter->SetMaximumLevel(10);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn(); });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Update();
+  EXPECT_FALSE(ElementsOf(filter)->GetFieldData()->HasArray("ErrorEstimate"));
+  filter->RemoveObserver(tag);
+  filter->Modified();
+  filter->Update();
+  EXPECT_TRUE(ElementsOf(filter)->GetFieldData()->HasArray("ErrorEstimate"));
+}
+
 TEST(ImportanceDrivenShooting, ProgressRunsFromZeroToOne)
 {
   const auto filter = MakeFilter();

@@ -8,6 +8,7 @@
 #include "vtkRadianceToneMapping.h"
 #include "vtkTransportSolution.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCell.h>
 #include <vtkDataArray.h>
@@ -23,6 +24,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -154,6 +156,42 @@ TEST(ViewGather, AnErrorThatNobodyKnowsIsNotStated)
   shooting->SetMethod("importance-shooting"); // its estimate is of what is unshot
   gather->SetCamera(nullptr);
   EXPECT_EQ(WarningsAndEstimateOf(gather), std::make_pair(std::string(), false));
+}
+
+TEST(ViewGather, ItsProgressIsReportedAndItCanBeAborted)
+{
+  const auto shooting = MakeShooting();
+  const auto gather = MakeGather(shooting);
+  struct Watch
+  {
+    std::vector<double> progress;
+    double abortAt = 2.0;
+  } watch;
+  const vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback(
+    [](vtkObject* filter, unsigned long, void* data, void* value)
+    {
+      auto* seen = static_cast<Watch*>(data);
+      seen->progress.push_back(*static_cast<double*>(value));
+      if (seen->progress.back() >= seen->abortAt)
+      {
+        vtkAlgorithm::SafeDownCast(filter)->AbortExecuteOn();
+      }
+    });
+  gather->AddObserver(vtkCommand::ProgressEvent, observer);
+  const std::vector<float> whole = RadianceOf(gather);
+  EXPECT_FALSE(whole.empty());
+  EXPECT_GE(watch.progress.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(watch.progress.begin(), watch.progress.end()));
+  EXPECT_EQ(watch.progress.back(), 1.0);
+  watch.abortAt = 0.3;
+  gather->Modified();
+  EXPECT_TRUE(RadianceOf(gather).empty());
+  watch.abortAt = 2.0;
+  gather->AbortExecuteOff();
+  gather->Modified();
+  EXPECT_EQ(RadianceOf(gather), whole);
 }
 
 TEST(ViewGather, FiltersOfImagesTakeThePicture)
@@ -322,6 +360,7 @@ TEST(ViewGather, EveryMistakeIsAnErrorThatNamesIt)
   {
     SCOPED_TRACE(message);
     const auto gather = MakeGather(MakeShooting());
+    gather->Update(); // of a good picture nothing is left
     ErrorRecorder recorder(gather);
     const ErrorRecorder executive(gather->GetExecutive());
     makeMistake(gather);

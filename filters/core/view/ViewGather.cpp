@@ -24,6 +24,10 @@ constexpr double EdgeBend = 0.08;
 /// Pixels along a side.
 constexpr int MostPixels = 32768;
 
+/// What is done of most pictures before each of these.
+constexpr double BeforeDirect = 0.1;
+constexpr double BeforeIndirect = 0.5;
+
 /// One image on its way.
 class Gather
 {
@@ -38,7 +42,7 @@ public:
   {
   }
 
-  GatheredView Run();
+  GatheredView Run(const GatherObserver& observer);
 
 private:
   void FindPoints();
@@ -206,15 +210,24 @@ void Gather::DescribeCentres()
     });
 }
 
-GatheredView Gather::Run()
+GatheredView Gather::Run(const GatherObserver& observer)
 {
+  const auto isGivenUp = [&observer](double done) { return observer && !observer(done); };
   Stopwatch whole, phase;
   GatherReport& report = this->View.report;
   this->FindPoints();
   this->DescribeCentres();
   report.primarySeconds = phase.Lap();
+  if (isGivenUp(BeforeDirect))
+  {
+    return {};
+  }
   this->LightDirectly();
   report.directSeconds = phase.Lap();
+  if (isGivenUp(BeforeIndirect))
+  {
+    return {};
+  }
   this->LightIndirectly();
   report.indirectSeconds = phase.Lap();
   report.lampEvaluations = this->Counts.direct.lampEvaluations;
@@ -222,6 +235,10 @@ GatheredView Gather::Run()
   report.occluderQueries = this->Counts.direct.occluderQueries;
   report.shadowRays = this->Counts.direct.shadowRays;
   report.seconds = whole.Lap();
+  if (isGivenUp(1.0))
+  {
+    return {};
+  }
   return std::move(this->View);
 }
 
@@ -248,11 +265,11 @@ void GatherSettings::Validate() const
 }
 
 GatheredView GatherView(const OccluderScene& occluders, const RadianceSolution& solution,
-  const Camera& camera, const GatherSettings& settings)
+  const Camera& camera, const GatherSettings& settings, const GatherObserver& observer)
 {
   settings.Validate();
   camera.Validate();
-  return Gather(occluders, solution, camera, settings).Run();
+  return Gather(occluders, solution, camera, settings).Run(observer);
 }
 
 } // namespace vantage

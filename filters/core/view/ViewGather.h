@@ -6,6 +6,7 @@
 #include "core/visibility/OccluderScene.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// \file ViewGather.h
@@ -54,12 +55,16 @@ struct GatheredView
   GatherReport report;
 };
 
+/// Called between the phases of a gather with the part of it that is done, as far as can be told;
+/// returns false to give it up.
+using GatherObserver = std::function<bool(double)>;
+
 /// The radiance of each pixel: emission, plus albedo / pi times what arrives. Light from the named
 /// lamps is computed at the points that the pixels see, without noise (DirectLight.h); what other
 /// surfaces reflect is gathered at a few points and interpolated (IndirectLight.h). Inactive sides
-/// are black. Works on all threads of the arena, with the same result to the bit for any number.
-/// \throw InputError for bad settings or a bad camera
+/// are black. What was given up has no pixels. Works on all threads of the arena, with the same
+/// result to the bit for any number. \throw InputError for bad settings or a bad camera
 GatheredView GatherView(const OccluderScene& occluders, const RadianceSolution& solution,
-  const Camera& camera, const GatherSettings& settings);
+  const Camera& camera, const GatherSettings& settings, const GatherObserver& observer = {});
 
 } // namespace vantage

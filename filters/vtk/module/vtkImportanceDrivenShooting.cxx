@@ -230,11 +230,13 @@ void vtkImportanceDrivenShooting::Solve(vtkPolyData* input)
 }
 
 /// Fills output port 0; returns what it shows.
-vantage::ElementSolution vtkImportanceDrivenShooting::ShowElements(vtkPolyData* elements) const
+vantage::ElementSolution vtkImportanceDrivenShooting::ShowElements(vtkPolyData* elements)
 {
   const vantage::SolverSession& session = this->Impl->session;
   const vantage::Solver& solver = session.Current();
-  if (solver.Settings().method != vantage::Method::GoalOriented || !this->GatherPoints)
+  const bool isGathered = solver.Settings().method == vantage::Method::GoalOriented &&
+                          this->GatherPoints && this->GetAbortExecute() == 0;
+  if (!isGathered)
   {
     vantage::ElementSolution solved = solver.Elements();
     elements->ShallowCopy(vantage::ElementsToPolyData(solved));

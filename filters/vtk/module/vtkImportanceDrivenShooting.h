@@ -75,8 +75,8 @@ struct ElementSolution;
 ///
 /// Stopping: at the first of Steps, Error, TimeLimit that is met, or when nothing is left to do.
 /// Progress is reported, and AbortExecute looked at, after each step; what was done until then is
-/// in the output. Works on as many threads as vtkSMPTools; the result does not depend on their
-/// number.
+/// in the output, its points not gathered. Works on as many threads as vtkSMPTools; the result does
+/// not depend on their number.
 ///
 /// What a change costs: more Steps, another Error or TimeLimit continue. Another view keeps
 /// radiance and interactions. Other albedos and emissions keep the interactions, as long as the
@@ -285,7 +285,7 @@ private:
   void operator=(const vtkImportanceDrivenShooting&) = delete;
 
   void Solve(vtkPolyData* input);
-  vantage::ElementSolution ShowElements(vtkPolyData* elements) const;
+  vantage::ElementSolution ShowElements(vtkPolyData* elements);
   vtkDataArray* ChosenArray(int index, const char* usualName, vtkPolyData* input);
 
   vtkCamera* Camera = nullptr;

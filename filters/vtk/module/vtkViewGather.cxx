@@ -103,8 +103,16 @@ void vtkViewGather::Gather(vtkTransportSolution* solution, vtkImageData* output)
                     << " pixels are wider than what was solved for; give Aspect " << camera.aspect
                     << " to vtkImportanceDrivenShooting");
   }
-  const vantage::GatheredView view = solved.snapshot->Gather(camera, settings);
-  output->ShallowCopy(vantage::ViewToImageData(view, camera, solved));
+  const vantage::GatheredView view = solved.snapshot->Gather(camera, settings,
+    [this](double done)
+    {
+      this->UpdateProgress(done);
+      return this->GetAbortExecute() == 0;
+    });
+  if (this->GetAbortExecute() == 0)
+  {
+    output->ShallowCopy(vantage::ViewToImageData(view, camera, solved));
+  }
 }
 
 int vtkViewGather::RequestData(
@@ -112,6 +120,7 @@ int vtkViewGather::RequestData(
 {
   vtkTransportSolution* solution = vtkTransportSolution::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize(); // VTK keeps the scalars of the last picture
   try
   {
     tbb::task_arena arena(vtkSMPTools::GetEstimatedNumberOfThreads());

@@ -43,6 +43,9 @@ struct Camera;
 /// the latter where it is not known: goal-oriented alone estimates it, and of the view only that it
 /// was made for. A picture of that view that is wider than what was solved for is warned of.
 ///
+/// Progress is reported, and AbortExecute looked at, between the phases of the gather; after an
+/// abort the output is empty.
+///
 /// Works on as many threads as vtkSMPTools; the result does not depend on their number.
 ///
 /// Errors: nothing solved yet, unknown camera, values out of range. The output is empty then.
