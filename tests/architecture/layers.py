@@ -34,6 +34,7 @@ EXCEPTIONS = {
     "core/mesh/DarkSides.h": ("apps/vantage/SceneSummary.cpp",),
     "core/mesh/ElementTree.h": ("apps/benchmarks",),
     "core/mesh/Facets.h": ("apps/vantage/SceneSummary.h", "apps/benchmarks"),
+    "core/mesh/LongestEdge.h": ("filters/vtk/module/vtkPatchSubdivision.cxx",),
     "core/mesh/PatchMesh.h": ("filters/vtk/module/vtkPatchSubdivision.cxx",),
     "core/reference/DenseSolve.h": ("apps/vantage/FormFactorsCommand.cpp",),
     "core/reference/PathTracer.h": ("apps/vantage", "apps/benchmarks"),
@@ -46,7 +47,6 @@ EXCEPTIONS = {
 NEIGHBOURS = {
     "filters/io": (),
     "filters/vtk": ("io",),
-    "filters/paraview": ("vtk",),
     "apps": ("io", "vtk"),
 }
 
@@ -55,7 +55,7 @@ LIBRARIES = {
     "VTK": (
         r"vtk\w*\.h$",
         r"\bvtk[A-Z]\w*",
-        ("filters/vtk", "filters/paraview", "apps", "tests/vtk", "tests/apps", "tests/fuzz"),
+        ("filters/vtk", "apps", "tests/vtk", "tests/apps", "tests/fuzz"),
     ),
     "Embree": (r"embree\d?/", r"\b(?:rtc[A-Z]|RTC)\w*", ("filters/core/visibility",)),
     "OpenMesh": (r"OpenMesh/", r"\bOpenMesh\b", ("filters/core/mesh",)),

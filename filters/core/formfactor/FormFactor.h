@@ -49,8 +49,4 @@ double Throughput(const Polygon& a, const Polygon& b, Accuracy accuracy = Accura
 double VisibleThroughput(const Polygon& a, const Polygon& b, const std::vector<Polygon>& occluders,
   Accuracy accuracy = Accuracy::Default);
 
-/// A cheap guess of Throughput for refinement oracles: the mean of both point-to-polygon factors
-/// between the centres of the clipped polygons. Zero exactly where Throughput is zero.
-double ThroughputEstimate(const Polygon& a, const Polygon& b);
-
 } // namespace vantage

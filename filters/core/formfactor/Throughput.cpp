@@ -201,17 +201,4 @@ double Throughput(const Polygon& a, const Polygon& b, Accuracy accuracy)
   return std::min(FacingThroughput(*pair, TargetsOf(accuracy)), most) * pair->unit * pair->unit;
 }
 
-double ThroughputEstimate(const Polygon& a, const Polygon& b)
-{
-  const std::optional<FacingPair> pair = Face(a, b);
-  if (!pair)
-  {
-    return 0.0;
-  }
-  const double mean = 0.5 * (pair->areaA * PointToPolygon(pair->centreA, pair->normalA, pair->b) +
-                              pair->areaB * PointToPolygon(pair->centreB, pair->normalB, pair->a));
-  const double most = Pi * std::min(pair->areaA, pair->areaB);
-  return (mean > 0.0 ? std::min(mean, most) : RoughSize(*pair)) * pair->unit * pair->unit;
-}
-
 } // namespace vantage

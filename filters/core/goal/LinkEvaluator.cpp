@@ -1,6 +1,7 @@
 #include "core/goal/LinkEvaluator.h"
 
 #include "core/math/ScrambledSobol.h"
+#include "core/mesh/KernelVariation.h"
 #include "core/transport/PairEvaluator.h"
 
 #include <algorithm>
@@ -26,13 +27,6 @@ double ThroughputBound(const Node& a, const Node& b)
   const double smaller = Pi * std::min(a.area, b.area);
   const double gap = glm::length(a.centre - b.centre) - a.radius - b.radius;
   return gap > 0.0 ? std::min(smaller, a.area * b.area / (gap * gap)) : smaller;
-}
-
-double KernelVariation(const Node& a, const Node& b)
-{
-  const double distance = glm::length(a.centre - b.centre);
-  const double size = a.radius + b.radius;
-  return size < distance ? size / distance : 1.0;
 }
 
 /// How far the throughput between parts of curved surfaces is from the mean, over that: as kernel,

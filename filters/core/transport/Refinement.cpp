@@ -1,6 +1,7 @@
 #include "core/transport/Refinement.h"
 
 #include "core/Error.h"
+#include "core/mesh/KernelVariation.h"
 #include "core/mesh/LongestEdge.h"
 
 #include <algorithm>
@@ -21,14 +22,6 @@ void RequireRange(const std::string& name, double value, bool isInside, const st
   {
     throw InputError("refinement: " + name + " is " + std::to_string(value) + "; give " + range);
   }
-}
-
-/// How much the kernel cos cos / r^2 varies over both ends, roughly, relative to its mean: their
-/// sizes over their distance, at most 1.
-double KernelVariation(const Node& a, const Node& b)
-{
-  const double distance = glm::length(a.centre - b.centre);
-  return std::min(1.0, (a.radius + b.radius) / distance);
 }
 
 } // namespace

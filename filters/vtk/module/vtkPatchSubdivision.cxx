@@ -3,6 +3,7 @@
 #include "ArrayAdapter.h"
 #include "SceneAdapter.h"
 #include "core/Error.h"
+#include "core/mesh/LongestEdge.h"
 #include "core/mesh/PatchMesh.h"
 
 #include <vtkCellArray.h>
@@ -25,17 +26,6 @@ namespace
 
 constexpr double LargestPatchCount = 134217728.0; // 2^27: tens of gigabytes of output
 
-double LongestEdge(const vantage::Node& node)
-{
-  double longest = 0.0;
-  for (int k = 0; k < node.cornerCount; ++k)
-  {
-    const vantage::Vec3& next = node.corners[(k + 1) % node.cornerCount];
-    longest = std::max(longest, glm::distance(node.corners[k], next));
-  }
-  return longest;
-}
-
 /// Every split halves the edges, so the count is known, closely, before the first one.
 void CheckPatchCount(const vantage::ElementTree& tree, double maximumEdgeLength)
 {
@@ -44,7 +34,8 @@ void CheckPatchCount(const vantage::ElementTree& tree, double maximumEdgeLength)
   {
     if (!tree[id].IsCluster())
     {
-      const double splits = std::ceil(std::log2(LongestEdge(tree[id]) / maximumEdgeLength));
+      const double splits =
+        std::ceil(std::log2(vantage::LongestEdge(tree[id]) / maximumEdgeLength));
       count += std::pow(4.0, std::max(0.0, splits));
     }
   }
@@ -62,7 +53,7 @@ void SplitLongPatches(vantage::ElementTree& tree, double maximumEdgeLength)
   // Children are appended, so the loop comes to them as well.
   for (vantage::NodeId id = 0; id < tree.Size(); ++id)
   {
-    if (!tree[id].IsCluster() && LongestEdge(tree[id]) > maximumEdgeLength)
+    if (!tree[id].IsCluster() && vantage::LongestEdge(tree[id]) > maximumEdgeLength)
     {
       tree.Split(id);
     }
