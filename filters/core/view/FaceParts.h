@@ -2,12 +2,11 @@
 
 #include "core/view/LampSurface.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 /// \file FaceParts.h
-/// What is left of a face of a lamp past shadows.
+/// What is left of a lamp past shadows.
 
 namespace vantage
 {
@@ -17,58 +16,74 @@ namespace vantage
 class FaceParts
 {
 public:
-  /// The polygon, by the two coordinates in which its plane is steepest: the third one is linear in
-  /// them.
+  /// The polygon, by two coordinates u and v in its plane: (u, v) is at origin + u alongU + v
+  /// alongV.
   class Face
   {
   public:
+    Face() = default;
+    /// u and v are two coordinates of space, the third one is linear in them.
     /// \pre the polygon has an area, and lies in the plane
     Face(const Polygon& shape, const Plane& plane);
 
+    /// Another polygon, of no corners yet.
+    void Start(const Vec3& origin, const Vec3& alongU, const Vec3& alongV);
+    void Add(const Vec2& corner) { this->Corners.push_back(corner); }
+    const std::vector<Vec2>& CornersInPlane() const { return this->Corners; }
+
   private:
     friend class FaceParts;
-    int U, V, W;
-    double PerU, PerV, Constant; ///< of the third coordinate
-    std::array<Vec2, Polygon::Capacity> Corners;
-    int Count = 0;
-    double Sliver; ///< the area of a part that is not worth keeping
+    Vec3 Origin, AlongU, AlongV;
+    std::vector<Vec2> Corners;
   };
 
   /// All of a face, which must outlive its parts.
   void Start(const Face& face);
   /// Takes away what is inside of all sides.
-  void Take(const LampSurface::HalfSpace* sides, int count);
-  std::size_t Size() const { return this->Parts.size(); }
+  void Take(const LampSurface::HalfSpace* sides, std::size_t count);
+  std::size_t Size() const { return this->Parts.parts.size(); }
   /// What x in the plane z = 0 receives from what is left, in sr. \pre x is in front of the face
-  double At(const Vec2& x) const;
+  double At(const Vec2& x);
 
 private:
   struct Part
   {
-    std::array<Vec2, Polygon::Capacity> corners;
-    int count = 0;
+    std::size_t first, count; ///< corners
   };
-  /// A shadow in the coordinates of the face.
-  struct Shadow
+  /// Parts, and their corners one after the other.
+  struct PartList
   {
-    struct Side
-    {
-      Vec2 normal;
-      double offset; ///< inside where dot(normal, y) + offset > 0
-    };
-    std::array<Side, Polygon::Capacity + 1> sides;
-    int count = 0;
+    std::vector<Part> parts;
+    std::vector<Vec2> corners;
   };
-  using Heights = std::array<double, Polygon::Capacity>; ///< of the corners of a part
+  /// The corners of a part, wherever they are.
+  struct Span
+  {
+    const Vec2* first;
+    std::size_t count;
+  };
+  /// Inside where dot(normal, y) + offset > 0, in the coordinates of the face.
+  struct Side
+  {
+    Vec2 normal;
+    double offset;
+  };
 
-  Shadow OnFace(const LampSurface::HalfSpace* sides, int count) const;
-  static void CutAt(const Part& whole, const Heights& heights, double side, Part& cut);
-  static double Area(const Vec2* corners, int count);
-  void AppendOutside(const Part& part, const Shadow& shadow);
+  void CutAt(const Span& whole, double side, std::vector<Vec2>& cut) const;
+  static double Area(const Span& part);
+  std::size_t FindHeights(const Span& part, const Side& side);
+  void AppendOutside(const Span& part);
 
   const Face* Whole = nullptr;
-  std::vector<Part> Parts;
-  std::vector<Part> Rest; ///< past one more shadow
+  double Sliver = 0.0; ///< the area of a part that is not worth keeping
+  PartList Parts;
+  PartList Rest; ///< past one more shadow
+  // Room for one shadow.
+  std::vector<Side> Sides;
+  std::vector<double> Heights; ///< of the corners of a part over a side
+  std::vector<Vec2> Inside[2]; ///< what is inside of the sides so far, and of the next one
+  std::vector<Vec3> Places;    ///< of the corners of a part, from x
+  std::vector<double> Lengths; ///< of these
 };
 
 } // namespace vantage

@@ -271,43 +271,71 @@ double LampSurface::At(const Vec2& x, Workspace& room) const
   {
     return this->Only.At(x);
   }
-  return this->FindSeen(x, room.seen) ? this->OfSeen(x, room) : 0.0;
+  return this->FindSeen(x, room.seen) ? this->OfSeen(x, room.seen) : 0.0;
 }
 
-double LampSurface::OfSeen(const Vec2& x, Workspace& room) const
+double LampSurface::OfSeen(const Vec2& x, const Flags& seen) const
 {
-  return this->OfSeen(Vec3(x, 0.0), Vec3(0.0, 0.0, 1.0), room);
+  return this->OfSeen(Vec3(x, 0.0), Vec3(0.0, 0.0, 1.0), seen);
 }
 
-double LampSurface::OfSeen(const Vec3& x, const Vec3& normal, Workspace& room) const
+double LampSurface::OfSeen(const Vec3& x, const Vec3& normal, const Flags& seen) const
 {
-  room.lengths.resize(this->Places.size());
-  for (std::size_t k = 0; k < this->Places.size(); ++k)
-  {
-    room.lengths[k] = glm::length(this->Places[k] - x);
-  }
   double sum = 0.0;
   for (const Edge& edge : this->Edges)
   {
-    const bool isFirstSeen = room.seen[edge.first] != 0;
-    const bool isSecondSeen = edge.second != Nothing && room.seen[edge.second] != 0;
+    const bool isFirstSeen = seen[edge.first] != 0;
+    const bool isSecondSeen = edge.second != Nothing && seen[edge.second] != 0;
     if (isFirstSeen != isSecondSeen)
     {
-      const Vec3& from = this->Places[edge.from];
-      const Vec3 along = this->Places[edge.to] - from;
-      const double wedge = glm::dot(glm::cross(along, from - x), normal);
+      const Vec3 from = this->Places[edge.from] - x;
+      const Vec3 to = this->Places[edge.to] - x;
+      const Vec3 along = to - from;
+      const double wedge = glm::dot(glm::cross(along, from), normal);
       const double term =
-        LambertTerm(room.lengths[edge.from], room.lengths[edge.to], glm::dot(along, along), wedge);
+        LambertTerm(glm::length(from), glm::length(to), glm::dot(along, along), wedge);
       sum += isFirstSeen ? term : -term;
     }
   }
   return std::clamp(0.5 * sum, 0.0, Pi);
 }
 
+bool LampSurface::FindOutline(Workspace& room, std::vector<Vec3>& outline) const
+{
+  room.next.assign(this->Places.size(), Nothing);
+  std::size_t count = 0;
+  std::uint32_t start = Nothing;
+  for (const Edge& edge : this->Edges)
+  {
+    const bool isFirstSeen = room.seen[edge.first] != 0;
+    const bool isSecondSeen = edge.second != Nothing && room.seen[edge.second] != 0;
+    if (isFirstSeen != isSecondSeen)
+    {
+      start = isFirstSeen ? edge.from : edge.to;
+      if (room.next[start] != Nothing)
+      {
+        return false; // two pieces meet in a corner
+      }
+      room.next[start] = isFirstSeen ? edge.to : edge.from;
+      ++count;
+    }
+  }
+  outline.clear();
+  for (std::uint32_t corner = start; outline.size() < count; corner = room.next[corner])
+  {
+    if (corner == Nothing || (corner == start && !outline.empty()))
+    {
+      return false;
+    }
+    outline.push_back(this->Places[corner]);
+  }
+  return count > 0;
+}
+
 void LampSurface::Sort(
   const HalfSpace* sides, std::size_t count, Flags& flags, std::vector<std::uint32_t>& partly) const
 {
-  this->SortCell(0, sides, ~Bits(0) >> (32 - count), flags, partly);
+  this->SortCell(0, sides, ~Bits(0) >> (MostHalfSpaces - count), flags, partly);
 }
 
 /// \param open the half-spaces that the cells above were not in as a whole
@@ -406,7 +434,7 @@ double LampSurface::Onto(const Vec3& x, const Vec3& normal, Workspace& room) con
     return 0.0;
   }
   const double crossing = height < reach ? this->AcrossHorizon(x, normal, room) : 0.0;
-  return std::min(crossing + this->OfSeen(x, normal, room), Pi);
+  return std::min(crossing + this->OfSeen(x, normal, room.seen), Pi);
 }
 
 /// Takes the flags of faces that are not above the horizon as a whole, and returns what is received

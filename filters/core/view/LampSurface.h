@@ -49,7 +49,7 @@ public:
   struct Workspace
   {
     Flags seen;
-    std::vector<double> lengths;
+    std::vector<std::uint32_t> next; ///< corner of an outline after each
   };
 
   /// What a point anywhere, with a unit normal, receives from all, in sr. Flags in room.seen those
@@ -62,9 +62,14 @@ public:
   bool FindSeen(const Vec2& x, Flags& seen) const;
   /// What x receives from all, in sr.
   double At(const Vec2& x, Workspace& room) const;
-  /// From the faces that room.seen flags, all of which x sees. \pre there are some faces
-  double OfSeen(const Vec2& x, Workspace& room) const;
+  /// From the faces with a flag, all of which x sees. \pre there are some faces
+  double OfSeen(const Vec2& x, const Flags& seen) const;
 
+  /// The corners around those faces that room.seen flags, counter-clockwise; false where they are
+  /// not around a single piece without a hole.
+  bool FindOutline(Workspace& room, std::vector<Vec3>& outline) const;
+
+  static constexpr std::size_t MostHalfSpaces = 64;
   /// dot(normal, y) + offset > 0.
   struct HalfSpace
   {
@@ -74,7 +79,8 @@ public:
     double Height(const Vec3& y) const { return glm::dot(this->normal, y) + this->offset; }
   };
   /// Takes the flags of faces that are in all of some half-spaces as a whole, and appends to
-  /// `partly` each that has a flag and may be in all of them in part. \pre 32 half-spaces at most
+  /// `partly` each that has a flag and may be in all of them in part.
+  /// \pre MostHalfSpaces at most
   void Sort(const HalfSpace* sides, std::size_t count, Flags& flags,
     std::vector<std::uint32_t>& partly) const;
 
@@ -93,7 +99,7 @@ private:
     Vec3 middle, half;    ///< of the box
   };
 
-  using Bits = std::uint32_t; ///< one for each of some half-spaces
+  using Bits = std::uint64_t; ///< one for each of some half-spaces
 
   void SortCell(std::uint32_t cell, const HalfSpace* sides, Bits open, Flags& flags,
     std::vector<std::uint32_t>& partly) const;
@@ -106,7 +112,7 @@ private:
   void FindBoxes();
   std::vector<Polygon> FacesAbove() const;
   double AcrossHorizon(const Vec3& x, const Vec3& normal, Workspace& room) const;
-  double OfSeen(const Vec3& x, const Vec3& normal, Workspace& room) const;
+  double OfSeen(const Vec3& x, const Vec3& normal, const Flags& seen) const;
   void Turn(const PatchFrame& frame, double unit);
 
   std::vector<Vec3> Places;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace vantage
@@ -51,6 +52,13 @@ std::pair<Vec2, Vec2> Around(const LampSpot* first, const LampSpot* last)
   return { low, high };
 }
 
+Bounds BoundsOf(const ConvexRegion& region)
+{
+  Bounds bounds(region.low);
+  bounds.Add(region.high);
+  return bounds;
+}
+
 } // namespace
 
 LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const PatchFrame& frame,
@@ -85,7 +93,7 @@ DirectCounters LampView::Look(
   }
   Group all{ first, last, {} };
   const Search search = this->SearchAround(all, tolerance);
-  for (std::uint32_t k = 0; k < search.facets.size(); ++k)
+  for (std::uint32_t k = 0; k < search.obstacles.size(); ++k)
   {
     all.suspects.push_back({ k });
   }
@@ -137,6 +145,25 @@ std::optional<ConvexRegion> LampView::ShaftFrom(const Polygon& ground) const
            : std::optional<ConvexRegion>(ShaftTo(ground, this->Corners, tolerance));
 }
 
+/// Those that reach into what is between a polygon of the patch and the lamp.
+std::vector<std::uint32_t> LampView::FacetsFrom(const Polygon& ground) const
+{
+  if (const auto shaft = this->ShaftFrom(ground))
+  {
+    return this->Occluders->FacetsInRegion(*shaft);
+  }
+  vantage::Bounds box;
+  for (const Vec3& v : ground)
+  {
+    box.Add(v);
+  }
+  for (const Vec3& v : this->Corners)
+  {
+    box.Add(v);
+  }
+  return this->Occluders->FacetsInBox(box.Low(), box.High());
+}
+
 LampView::Search LampView::SearchAround(const Group& all, double tolerance) const
 {
   Search search{ {}, {}, LampCutter(this->Lamp), tolerance };
@@ -145,38 +172,106 @@ LampView::Search LampView::SearchAround(const Group& all, double tolerance) cons
   {
     return search;
   }
-  const Polygon ground = this->ToWorld(bounds);
-  std::vector<std::uint32_t> found;
-  if (const auto shaft = this->ShaftFrom(ground))
+  std::map<std::uint32_t, bool> isBodyKnown; // and whether it casts its shadow as one
+  const auto isOfBody = [&](PatchId inside)
   {
-    found = this->Occluders->FacetsInRegion(*shaft);
-  }
-  else
-  {
-    vantage::Bounds box;
-    for (const Vec3& v : ground)
+    const std::uint32_t body = this->Occluders->BodyAround(inside);
+    if (body == None)
     {
-      box.Add(v);
+      return false;
     }
-    for (const Vec3& v : this->Corners)
+    const auto [known, isNew] = isBodyKnown.try_emplace(body, false);
+    if (isNew)
     {
-      box.Add(v);
+      known->second = this->AddBody(body, search);
     }
-    found = this->Occluders->FacetsInBox(box.Low(), box.High());
-  }
-  for (const std::uint32_t facet : found)
+    return known->second;
+  };
+  for (const std::uint32_t facet : this->FacetsFrom(this->ToWorld(bounds)))
   {
-    const Polygon between = this->Between(facet);
-    if (facet != this->Facet && !this->Named->IsOfConvexPart(facet) && !between.Empty() &&
-        !this->Lamp.IsInFrontOf(between))
+    const bool isOfFront = isOfBody(PatchOf(facet, Side::Front));
+    const bool isOfBack = isOfBody(PatchOf(facet, Side::Back));
+    if (!isOfFront && !isOfBack)
     {
-      const auto inside = this->Occluders->InsideOf(facet);
-      search.facets.push_back(facet);
-      search.insides.push_back(inside);
-      search.cutter.AddOccluder(between, inside ? std::optional(inside->side) : std::nullopt);
+      this->AddFacet(facet, search);
     }
   }
   return search;
+}
+
+/// Returns whether all of its facets are seen to. A convex body hides nothing from its own outside,
+/// and nothing of a lamp that is part of it.
+bool LampView::AddBody(std::uint32_t body, Search& search) const
+{
+  const auto faces = this->Occluders->Convex().FacesOf(body);
+  if (faces.size() == 0)
+  {
+    return false;
+  }
+  const bool isItsOwn = std::any_of(faces.begin(), faces.end(),
+    [this](PatchId face)
+    { return face / 2 == this->Facet || this->Named->IsOfConvexPart(face / 2); });
+  if (isItsOwn)
+  {
+    return true;
+  }
+  if (!search.cutter.Occluders().AddBody(this->LocalBody(body)))
+  {
+    return false;
+  }
+  Obstacle obstacle;
+  obstacle.firstFacet = static_cast<std::uint32_t>(search.facets.size());
+  for (const PatchId face : faces)
+  {
+    search.facets.push_back(face / 2);
+    for (const Vec3& corner : this->Occluders->Shape(face / 2))
+    {
+      obstacle.bounds.Add(corner);
+    }
+  }
+  obstacle.lastFacet = static_cast<std::uint32_t>(search.facets.size());
+  search.obstacles.push_back(obstacle);
+  return true;
+}
+
+void LampView::AddFacet(std::uint32_t facet, Search& search) const
+{
+  const Polygon between = this->Between(facet);
+  if (facet == this->Facet || this->Named->IsOfConvexPart(facet) || between.Empty() ||
+      this->Lamp.IsInFrontOf(between))
+  {
+    return;
+  }
+  const auto inside = this->Occluders->InsideOf(facet);
+  search.cutter.Occluders().AddPlate(between, inside ? std::optional(inside->side) : std::nullopt);
+  const auto first = static_cast<std::uint32_t>(search.facets.size());
+  search.facets.push_back(facet);
+  search.obstacles.push_back({ first, first + 1, inside, {} });
+}
+
+ConvexBody LampView::LocalBody(std::uint32_t body) const
+{
+  const ConvexBodies& bodies = this->Occluders->Convex();
+  std::vector<Polygon> shapes;
+  ConvexBody local;
+  for (const PatchId face : bodies.FacesOf(body))
+  {
+    Polygon& shape = shapes.emplace_back();
+    for (const Vec3& v : ShapeOf(*this->Occluders, face))
+    {
+      shape.Add(this->Frame->ToLocal(v) / this->Unit);
+      local.corners.push_back(shape[shape.Size() - 1]);
+    }
+    local.planes.push_back(SupportingPlane(shape));
+  }
+  for (const ConvexBodies::Edge& edge : bodies.EdgesOf(body))
+  {
+    const Polygon& shape = shapes[edge.first];
+    const int corner = static_cast<int>(edge.corner);
+    local.edges.push_back(
+      { shape[corner], shape[(corner + 1) % shape.Size()], edge.first, edge.second });
+  }
+  return local;
 }
 
 /// Leaves the occluders that reach into what is between the spots and the lamp. Returns false when
@@ -192,7 +287,6 @@ bool LampView::Narrow(Group& group, const Search& search) const
   {
     return true;
   }
-  const double tolerance = this->Occluders->Tolerance();
   const Polygon ground = this->ToWorld(bounds);
   this->LookForBodies(group, search, ground);
   if (group.last - group.first <= FewSpots)
@@ -202,16 +296,28 @@ bool LampView::Narrow(Group& group, const Search& search) const
   if (const auto shaft = this->ShaftFrom(ground))
   {
     const auto isElsewhere = [&](const LampCutter::Suspect& suspect)
-    {
-      const std::uint32_t facet = search.facets[suspect.occluder];
-      return !ReachesInto(this->Occluders->Shape(facet), *shaft, tolerance);
-    };
+    { return this->IsElsewhere(search.obstacles[suspect.occluder], search, *shaft); };
     group.suspects.erase(std::remove_if(group.suspects.begin(), group.suspects.end(), isElsewhere),
       group.suspects.end());
   }
   return std::none_of(group.suspects.begin(), group.suspects.end(),
     [&](const LampCutter::Suspect& suspect)
-    { return search.cutter.HidesAll(suspect.occluder, bounds); });
+    { return search.cutter.Occluders().HidesAll(suspect.occluder, bounds); });
+}
+
+bool LampView::IsElsewhere(
+  const Obstacle& obstacle, const Search& search, const ConvexRegion& shaft) const
+{
+  const auto first = search.facets.begin() + obstacle.firstFacet;
+  const auto last = search.facets.begin() + obstacle.lastFacet;
+  const bool isBody = last - first > 1;
+  if (isBody && !obstacle.bounds.Meets(BoundsOf(shaft)))
+  {
+    return true;
+  }
+  return std::none_of(first, last,
+    [&](std::uint32_t facet)
+    { return ReachesInto(this->Occluders->Shape(facet), shaft, this->Occluders->Tolerance()); });
 }
 
 /// Finds out which bodies are elsewhere.
@@ -224,7 +330,7 @@ void LampView::LookForBodies(Group& group, const Search& search, const Polygon& 
   }
   for (LampCutter::Suspect& suspect : group.suspects)
   {
-    const auto& inside = search.insides[suspect.occluder];
+    const auto& inside = search.obstacles[suspect.occluder].inside;
     suspect.isSeenFromOutside = suspect.isSeenFromOutside || (inside && !inside->body.Meets(box));
   }
 }
@@ -312,8 +418,9 @@ bool LampView::LookSmoothly(
   // What a lamp hides of itself changes as slowly as it turns.
   const auto isSharp = [&](const LampCutter::Suspect& suspect)
   {
-    return !this->Named->IsOfWhole(search.facets[suspect.occluder]) &&
-           search.cutter.IsSharp(suspect.occluder, bounds);
+    const std::uint32_t facet = search.facets[search.obstacles[suspect.occluder].firstFacet];
+    return !this->Named->IsOfWhole(facet) &&
+           search.cutter.Occluders().IsSharp(suspect.occluder, bounds);
   };
   if (std::any_of(group.suspects.begin(), group.suspects.end(), isSharp))
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/Bounds.h"
 #include "core/view/DirectLight.h"
 #include "core/view/LampCutter.h"
 #include "core/view/LampSurface.h"
@@ -36,11 +37,18 @@ public:
   DirectCounters Look(LampSpot* first, LampSpot* last, double tolerance, double* factors) const;
 
 private:
+  /// What an occluder of a cutter is made of: a facet, or those of a convex body.
+  struct Obstacle
+  {
+    std::uint32_t firstFacet, lastFacet;
+    std::optional<OccluderScene::Inside> inside; ///< of a facet
+    vantage::Bounds bounds;                      ///< of a body
+  };
   /// All that may stand between the lamp and some points.
   struct Search
   {
-    std::vector<std::uint32_t> facets;                         ///< of each occluder in the cutter
-    std::vector<std::optional<OccluderScene::Inside>> insides; ///< of these
+    std::vector<Obstacle> obstacles;   ///< each occluder in the cutter
+    std::vector<std::uint32_t> facets; ///< of these
     LampCutter cutter;
     double tolerance;
   };
@@ -53,6 +61,11 @@ private:
   };
 
   Search SearchAround(const Group& all, double tolerance) const;
+  std::vector<std::uint32_t> FacetsFrom(const Polygon& ground) const;
+  bool AddBody(std::uint32_t body, Search& search) const;
+  void AddFacet(std::uint32_t facet, Search& search) const;
+  ConvexBody LocalBody(std::uint32_t body) const;
+  bool IsElsewhere(const Obstacle& obstacle, const Search& search, const ConvexRegion& shaft) const;
   bool Narrow(Group& group, const Search& search) const;
   void LookForBodies(Group& group, const Search& search, const Polygon& ground) const;
   DirectCounters Look(Group group, const Search& search, double* factors) const;

@@ -72,6 +72,7 @@ LitSurfaces::Lamp::Lamp(const NamedLamp& named)
   {
     const Face& face = this->faces.emplace_back(named.shapes[k], named.patches[k] / 2);
     this->area += face.area;
+    this->areasTo.push_back(this->area);
     areaTimesCentre += face.area * face.centre;
     this->areaNormal += face.area * face.normal;
     this->areaTensor += face.area * glm::outerProduct(face.normal, face.normal);
@@ -214,7 +215,7 @@ double LitSurfaces::Factor(std::uint32_t lamp, const LitPoint& point, std::uint3
   const Face* face = &faces[0];
   if (faces.size() > 1)
   {
-    face = &this->FaceTowards(this->Lamps[lamp], point, ScrambledSobol(index, Hash(seed, 0)).y);
+    face = &FaceTowards(this->Lamps[lamp], point, index, seed);
   }
   const Vec3 target = whole > PartOfHemisphere * Pi ? TargetByDirection(*face, point, index, seed)
                                                     : TargetByArea(*face, point, index, seed);
@@ -230,24 +231,52 @@ bool LitSurfaces::IsAboveHorizon(const Polygon& shape, const LitPoint& point)
     { return glm::dot(point.normal, corner - point.place.position) > 0.0; });
 }
 
-/// A face, drawn by about what it gives to the point. \pre it sees some face
-const LitSurfaces::Face& LitSurfaces::FaceTowards(const Lamp& lamp, const LitPoint& point, double u)
+/// What a face gives to the point, over its area, about.
+double LitSurfaces::GivenByArea(const Face& face, const LitPoint& point)
 {
-  thread_local std::vector<double> sums;
-  sums.clear();
+  const Vec3 way = face.centre - point.place.position;
+  const double here = glm::dot(point.normal, way);
+  const double there = -glm::dot(face.normal, way);
+  if (there <= 0.0 || (here <= face.radius && !IsAboveHorizon(face.shape, point)))
+  {
+    return 0.0;
+  }
+  const double square = glm::dot(way, way);
+  return there * std::max(here, LeastCosine * face.radius) / (square * (square + face.area));
+}
+
+/// A face, drawn by about what it gives to the point. Of a distant lamp faces are drawn by area,
+/// and taken with the probability of their share in the most that any may give. \pre it sees some
+/// face
+const LitSurfaces::Face& LitSurfaces::FaceTowards(
+  const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed)
+{
+  const double distance = glm::length(lamp.centre - point.place.position);
+  const double nearest = distance - lamp.radius;
+  const std::uint32_t tries = distance > NearLamp * lamp.radius ? MostTries : 0;
+  for (std::uint32_t k = 0; k < tries; ++k)
+  {
+    const Vec2 u = ScrambledSobol(index, Hash(seed, k));
+    const auto found =
+      std::upper_bound(lamp.areasTo.begin(), lamp.areasTo.end() - 1, u.x * lamp.areasTo.back());
+    const Face& face = lamp.faces[static_cast<std::size_t>(found - lamp.areasTo.begin())];
+    if (u.y < GivenByArea(face, point) * nearest * nearest)
+    {
+      return face;
+    }
+  }
+  return FaceOfAll(lamp, point, ScrambledSobol(index, Hash(seed, 0)).y);
+}
+
+/// The same, by what each of them gives.
+const LitSurfaces::Face& LitSurfaces::FaceOfAll(const Lamp& lamp, const LitPoint& point, double u)
+{
+  std::vector<double> sums;
+  sums.reserve(lamp.faces.size());
   double sum = 0.0;
   for (const Face& face : lamp.faces)
   {
-    const Vec3 way = face.centre - point.place.position;
-    const double square = glm::dot(way, way);
-    const double here = glm::dot(point.normal, way);
-    const double there = -glm::dot(face.normal, way);
-    const bool isAbove = here > face.radius || IsAboveHorizon(face.shape, point);
-    if (there > 0.0 && isAbove)
-    {
-      const double least = LeastCosine * face.radius;
-      sum += face.area * there * std::max(here, least) / (square * (square + face.area));
-    }
+    sum += face.area * GivenByArea(face, point);
     sums.push_back(sum);
   }
   const auto found = std::upper_bound(sums.begin(), sums.end() - 1, u * sum);

@@ -75,6 +75,7 @@ private:
   struct Lamp
   {
     std::vector<Face> faces;
+    std::vector<double> areasTo; ///< of the faces, up to and with each
     Vec3 centre{ 0.0 };
     double radius = 0.0; ///< around the centre
     double area = 0.0;
@@ -102,7 +103,10 @@ private:
     std::uint64_t& shadowRays) const;
   double Unhidden(std::uint32_t lamp, const LitPoint& point) const;
   static bool IsAboveHorizon(const Polygon& shape, const LitPoint& point);
-  static const Face& FaceTowards(const Lamp& lamp, const LitPoint& point, double u);
+  static double GivenByArea(const Face& face, const LitPoint& point);
+  static const Face& FaceTowards(
+    const Lamp& lamp, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
+  static const Face& FaceOfAll(const Lamp& lamp, const LitPoint& point, double u);
   static Vec3 TargetByDirection(
     const Face& face, const LitPoint& point, std::uint32_t index, std::uint64_t seed);
   static Vec3 TargetByArea(

@@ -200,10 +200,11 @@ struct OccluderScene::Implementation
   OccluderList list;
   FacetHierarchy hierarchy;
   DarkSides dark;
+  ConvexBodies convex;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
 
-  explicit Implementation(const FacetSet& set);
+  Implementation(const FacetSet& set, DarkSides darkSides);
   ~Implementation();
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
@@ -216,11 +217,13 @@ struct OccluderScene::Implementation
   void TraceNearest(Query& query) const;
 };
 
-OccluderScene::Implementation::Implementation(const FacetSet& set)
+OccluderScene::Implementation::Implementation(const FacetSet& set, DarkSides darkSides)
   : shapes(set.facets)
   , centre(0.5 * (set.low + set.high))
   , scale(1.0 / std::max(glm::length(set.high - set.low), std::numeric_limits<double>::min()))
   , hierarchy(this->shapes, set.Tolerance())
+  , dark(std::move(darkSides))
+  , convex(set, this->dark)
 {
   this->list.tolerance = set.Tolerance() * this->scale;
   this->NormaliseFacets();
@@ -300,9 +303,8 @@ void OccluderScene::Implementation::TraceNearest(Query& query) const
 }
 
 OccluderScene::OccluderScene(const FacetSet& facets, DarkSides dark)
-  : Impl(std::make_unique<Implementation>(facets))
+  : Impl(std::make_unique<Implementation>(facets, std::move(dark)))
 {
-  this->Impl->dark = std::move(dark);
 }
 OccluderScene::~OccluderScene() = default;
 OccluderScene::OccluderScene(OccluderScene&&) noexcept = default;
@@ -379,15 +381,22 @@ std::uint32_t OccluderScene::FacetCount() const
   return this->Impl->shapes.Size();
 }
 
+std::uint32_t OccluderScene::BodyAround(PatchId patch) const
+{
+  const DarkSides& dark = this->Impl->dark;
+  return dark.bodies.empty() ? None : dark.bodyOf[patch];
+}
+
+const ConvexBodies& OccluderScene::Convex() const
+{
+  return this->Impl->convex;
+}
+
 std::optional<OccluderScene::Inside> OccluderScene::InsideOf(std::uint32_t facet) const
 {
   const DarkSides& dark = this->Impl->dark;
-  if (dark.bodies.empty())
-  {
-    return std::nullopt;
-  }
-  const std::uint32_t front = dark.bodyOf[PatchOf(facet, Side::Front)];
-  const std::uint32_t back = dark.bodyOf[PatchOf(facet, Side::Back)];
+  const std::uint32_t front = this->BodyAround(PatchOf(facet, Side::Front));
+  const std::uint32_t back = this->BodyAround(PatchOf(facet, Side::Back));
   if ((front == None) == (back == None))
   {
     return std::nullopt;

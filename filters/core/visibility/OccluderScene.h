@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/DarkSides.h"
+#include "core/mesh/ConvexBodies.h"
 #include "core/mesh/ElementTree.h"
 #include "core/visibility/ConvexRegion.h"
 
@@ -83,6 +83,10 @@ public:
   /// Nothing where no side is known to be one, or both are. A segment that starts outside of the
   /// body and passes through this facet from its inside has entered by another facet.
   std::optional<Inside> InsideOf(std::uint32_t facet) const;
+
+  /// The closed body around a side, or None, and which of these are convex.
+  std::uint32_t BodyAround(PatchId patch) const;
+  const ConvexBodies& Convex() const;
 
   std::uint32_t FacetCount() const;
   Polygon Shape(std::uint32_t facet) const;

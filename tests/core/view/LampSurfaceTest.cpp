@@ -133,7 +133,7 @@ TEST(LampCutter, SeesOfManyFacesWhatPointToVisiblePolygonSees)
       if (!shape.Empty())
       {
         occluders.push_back(shape);
-        suspects.push_back({ cutter.AddOccluder(shape) });
+        suspects.push_back({ cutter.Occluders().AddPlate(shape) });
       }
     }
     const Vec3 x(RandomVector(random).x, RandomVector(random).y, 0.0);

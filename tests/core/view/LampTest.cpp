@@ -104,7 +104,7 @@ TEST(LampCutter, SeesWhatPointToVisiblePolygonSees)
       if (!part.Empty())
       {
         occluders.push_back(part);
-        all.push_back({ cutter.AddOccluder(part) });
+        all.push_back({ cutter.Occluders().AddPlate(part) });
       }
     }
     const Vec3 x = RandomPoint(random);
@@ -149,7 +149,7 @@ TEST(LampCutter, FromOutsideABodyCastsItsShadowByHalfOfItsFaces)
         face.Add(corner);
       }
       faces.push_back(face);
-      suspects.push_back({ cutter.AddOccluder(face, inside), true });
+      suspects.push_back({ cutter.Occluders().AddPlate(face, inside), true });
     }
     const Vec2 x(random.Next() - 0.5, random.Next() - 0.5);
     LampCutter::Shadows shadows;
@@ -167,14 +167,14 @@ TEST(LampCutter, AnOccluderHidesAllOnlyIfFromEveryPoint)
     { 0.1, -0.1, 1.0 } };
   const LampSurface surface({ lamp });
   LampCutter cutter(surface);
-  const std::uint32_t pane = cutter.AddOccluder(
+  const std::uint32_t pane = cutter.Occluders().AddPlate(
     { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
   // The shadow core is 0.5 from the middle on.
   const auto square = [](double h) {
     return Polygon{ { -h, -h, 0.0 }, { h, -h, 0.0 }, { h, h, 0.0 }, { -h, h, 0.0 } };
   };
-  EXPECT_TRUE(cutter.HidesAll(pane, square(0.49)));
-  EXPECT_FALSE(cutter.HidesAll(pane, square(0.51)));
+  EXPECT_TRUE(cutter.Occluders().HidesAll(pane, square(0.49)));
+  EXPECT_FALSE(cutter.Occluders().HidesAll(pane, square(0.51)));
 }
 
 /// Points on both sides of a wall, those on the lamp's side in the plane of the lamp: the wall is
@@ -186,13 +186,13 @@ TEST(LampCutter, AWallBetweenThePointsDoesNotHideAllFromThem)
   const Plane front = SupportingPlane(lamp);
   const LampSurface surface({ lamp });
   LampCutter cutter(surface);
-  const std::uint32_t wall = cutter.AddOccluder(ClipToFront(
+  const std::uint32_t wall = cutter.Occluders().AddPlate(ClipToFront(
     { { 1.25, 0.5, 0.5 }, { 1.25, 1.5, 0.5 }, { 1.25, 1.5, 1.1 }, { 1.25, 0.5, 1.1 } }, front));
   const Polygon points = ClipToFront(
     { { 0.02, 0.02, 0.0 }, { 1.98, 0.02, 0.0 }, { 1.98, 1.98, 0.0 }, { 0.02, 1.98, 0.0 } }, front);
   LampCutter::Shadows shadows;
   EXPECT_GT(cutter.Seen({ 1.38, 1.34 }, { { wall } }, shadows).value(), 1e-3);
-  EXPECT_FALSE(cutter.HidesAll(wall, points));
+  EXPECT_FALSE(cutter.Occluders().HidesAll(wall, points));
 }
 
 TEST(LampCutter, AShadowIsSharpWhereItsEdgeFallsBetweenPoints)
@@ -201,19 +201,19 @@ TEST(LampCutter, AShadowIsSharpWhereItsEdgeFallsBetweenPoints)
     { 0.1, -0.1, 1.0 } };
   const LampSurface surface({ lamp });
   LampCutter cutter(surface);
-  const std::uint32_t pane = cutter.AddOccluder(
+  const std::uint32_t pane = cutter.Occluders().AddPlate(
     { { -0.3, -0.3, 0.5 }, { 0.3, -0.3, 0.5 }, { 0.3, 0.3, 0.5 }, { -0.3, 0.3, 0.5 } });
-  const std::uint32_t upright = cutter.AddOccluder(
+  const std::uint32_t upright = cutter.Occluders().AddPlate(
     { { 0.6, -0.1, 0.1 }, { 0.6, 0.1, 0.1 }, { 0.6, 0.1, 0.3 }, { 0.6, -0.1, 0.3 } });
   const auto strip = [](double from, double to) {
     return Polygon{ { from, -0.1, 0.0 }, { to, -0.1, 0.0 }, { to, 0.1, 0.0 }, { from, 0.1, 0.0 } };
   };
-  EXPECT_FALSE(cutter.IsSharp(pane, strip(0.51, 0.69))); // in the penumbra, 0.2 wide
-  EXPECT_FALSE(cutter.IsSharp(pane, strip(0.51, 0.9)));
-  EXPECT_FALSE(cutter.IsSharp(pane, strip(-0.4, 0.69)));
-  EXPECT_TRUE(cutter.IsSharp(pane, strip(0.49, 0.71)));
-  EXPECT_FALSE(cutter.IsSharp(upright, strip(0.75, 0.79)));
-  EXPECT_TRUE(cutter.IsSharp(upright, strip(0.59, 0.79))); // its plane passes between
+  EXPECT_FALSE(cutter.Occluders().IsSharp(pane, strip(0.51, 0.69))); // in the penumbra, 0.2 wide
+  EXPECT_FALSE(cutter.Occluders().IsSharp(pane, strip(0.51, 0.9)));
+  EXPECT_FALSE(cutter.Occluders().IsSharp(pane, strip(-0.4, 0.69)));
+  EXPECT_TRUE(cutter.Occluders().IsSharp(pane, strip(0.49, 0.71)));
+  EXPECT_FALSE(cutter.Occluders().IsSharp(upright, strip(0.75, 0.79)));
+  EXPECT_TRUE(cutter.Occluders().IsSharp(upright, strip(0.59, 0.79))); // its plane passes between
 }
 
 } // namespace

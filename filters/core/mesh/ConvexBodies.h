@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/mesh/DarkSides.h"
+
+#include <cstdint>
+#include <vector>
+
+/// \file ConvexBodies.h
+/// Closed bodies that cast their shadows as one.
+
+namespace vantage
+{
+
+/// Of the closed bodies (DarkSides.h) those that are convex: boxes, columns, globes, tops of
+/// tables, however finely a modeller has cut them.
+class ConvexBodies
+{
+public:
+  /// Between two faces: it starts at a corner of the facet of the first one, which is seen from
+  /// outside, and runs counter-clockwise around that.
+  struct Edge
+  {
+    std::uint32_t first, second; ///< faces
+    std::uint32_t corner;
+  };
+  template <typename Entry>
+  struct List
+  {
+    const Entry* first;
+    const Entry* last;
+
+    const Entry* begin() const { return this->first; }
+    const Entry* end() const { return this->last; }
+    std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
+  };
+
+  ConvexBodies() = default;
+  /// Corners may stand out by `LargestDent`. Bodies have 2048 faces at most.
+  /// O(facets), and for each body its faces times its corners, until one stands out.
+  ConvexBodies(const FacetSet& facets, const DarkSides& dark);
+
+  /// Over the distance from the middle of a face, how far corners may stand out in front of its
+  /// plane: what single precision leaves of a plane.
+  static constexpr double LargestDent = 1e-5;
+
+  /// Whether a body of DarkSides is one of them.
+  bool Has(std::uint32_t body) const { return this->FacesOf(body).size() > 0; }
+  /// The outer sides of its facets, none when it is not convex.
+  List<PatchId> FacesOf(std::uint32_t body) const
+  {
+    return ListOf(this->Faces, this->FirstFace, body);
+  }
+  List<Edge> EdgesOf(std::uint32_t body) const
+  {
+    return ListOf(this->Edges, this->FirstEdge, body);
+  }
+
+private:
+  template <typename Entry>
+  static List<Entry> ListOf(
+    const std::vector<Entry>& entries, const std::vector<std::uint32_t>& starts, std::uint32_t body)
+  {
+    return { entries.data() + starts[body], entries.data() + starts[body + 1] };
+  }
+  void Add(const FacetSet& facets, const std::vector<PatchId>& faces);
+
+  std::vector<PatchId> Faces;
+  std::vector<Edge> Edges;
+  std::vector<std::uint32_t> FirstFace{ 0 }; ///< of each body, and the end
+  std::vector<std::uint32_t> FirstEdge{ 0 };
+};
+
+} // namespace vantage
