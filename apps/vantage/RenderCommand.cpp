@@ -52,19 +52,23 @@ public:
   {
   }
 
-  void Write(const Image& image)
+  /// The next frame. \param irradiance of a gathered one
+  void Write(const Image& radiance, const Image& irradiance = {})
   {
     if (!this->ToneMapping.exposure)
     {
-      this->ToneMapping.exposure = AutomaticExposure(image.pixels);
+      this->ToneMapping.exposure = AutomaticExposure(radiance.pixels);
     }
     for (const std::string& output : this->Options.outputs)
     {
       if (SuffixOf(output) != ".vtp")
       {
-        WriteImage(
-          image, RenderOptions::FramePath(output, this->Frame, this->Frames), this->ToneMapping);
+        WriteImage(radiance, this->PathOf(output), this->ToneMapping);
       }
+    }
+    if (!this->Options.irradiance.empty())
+    {
+      WriteImage(irradiance, this->PathOf(this->Options.irradiance), this->ToneMapping);
     }
     ++this->Frame;
   }
@@ -73,6 +77,11 @@ public:
   std::optional<double> Exposure() const { return this->ToneMapping.exposure; }
 
 private:
+  std::string PathOf(const std::string& output) const
+  {
+    return RenderOptions::FramePath(output, this->Frame, this->Frames);
+  }
+
   const RenderOptions& Options;
   ToneMappingSettings ToneMapping;
   std::size_t Frames;
@@ -150,12 +159,19 @@ void Solve(Solver& solver, const RenderOptions& options)
   }
 }
 
-Image DrawFrame(
+/// Radiance, and where it is gathered irradiance.
+struct FrameImages
+{
+  Image radiance;
+  Image irradiance;
+};
+
+FrameImages DrawFrame(
   const RenderOptions& options, const Solver& solver, const Camera& camera, FrameReport& frame)
 {
   if (!options.IsGathered())
   {
-    return solver.Render(camera, options.MakeImageSettings(camera));
+    return { solver.Render(camera, options.MakeImageSettings(camera)), {} };
   }
   ProgressBar bar(!options.quiet);
   GatheredView view = solver.Gather(camera, options.MakeGatherSettings(camera),
@@ -166,7 +182,7 @@ Image DrawFrame(
     });
   frame.gather = view.report;
   frame.errorEstimate = std::hypot(frame.errorEstimate, view.report.errorEstimate);
-  return std::move(view.radiance);
+  return { std::move(view.radiance), std::move(view.irradiance) };
 }
 
 /// Solves for a camera, from where the solution stands.
@@ -215,9 +231,9 @@ void RenderWithSolver(const RenderOptions& options, Scene scene, const std::vect
     if (options.WantsImage())
     {
       watch.Lap();
-      const Image image = DrawFrame(options, solver, camera, frame);
+      const FrameImages images = DrawFrame(options, solver, camera, frame);
       frame.imageSeconds = watch.Lap();
-      writer.Write(image);
+      writer.Write(images.radiance, images.irradiance);
     }
     Add(frame, report);
   }

@@ -203,6 +203,10 @@ void RenderOptions::RequireOptionsOfTheMethod() const
                      "--shadow-tolerance and --no-initial-phase: goal-oriented has no use for "
                      "them; drop them or choose another --method");
   }
+  if (!this->IsGathered() && !this->irradiance.empty())
+  {
+    throw InputError("--irradiance: it is gathered with goal-oriented only; drop it or --method");
+  }
   if (!this->IsGathered() && !this->solver.importance)
   {
     throw InputError("--no-importance: it is of goal-oriented; drop it, or choose "
@@ -234,6 +238,7 @@ void RenderOptions::CheckOutputs() const
       files.push_back(file);
     }
   };
+  add(this->irradiance, ".exr");
   add(this->links, ".vtp");
   add(this->history, ".csv");
   add(this->report, ".json");
@@ -259,8 +264,9 @@ void RenderOptions::CheckOutputs() const
 
 bool RenderOptions::WantsImage() const
 {
-  return std::any_of(this->outputs.begin(), this->outputs.end(),
-    [](const std::string& output) { return SuffixOf(output) != ".vtp"; });
+  return !this->irradiance.empty() ||
+         std::any_of(this->outputs.begin(), this->outputs.end(),
+           [](const std::string& output) { return SuffixOf(output) != ".vtp"; });
 }
 
 Budget RenderOptions::MakeBudget() const
@@ -381,6 +387,8 @@ void DeclareRenderOptions(CLI::App& command, RenderOptions& options)
   command.add_option("SCENE", options.scene, "Scene (.obj, .vtp)")->required();
   command.add_option("-o,--output", options.outputs,
     "Image (.png tone-mapped, .exr, .vti radiance) or elements (.vtp)");
+  command.add_option("--irradiance", options.irradiance,
+    "Image of what arrives at the surfaces that pixels see (.exr, linear)");
   command.add_option("--links", options.links, "Interactions (.vtp)");
   command.add_option("--history", options.history, "A row a step (.csv)");
   command.add_option("--report", options.report, "Figures of the run (.json)");

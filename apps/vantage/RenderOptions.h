@@ -26,6 +26,7 @@ struct RenderOptions
 {
   std::string scene;
   std::vector<std::string> outputs; ///< .png .exr .vti .vtp
+  std::string irradiance;           ///< .exr
   std::string links;                ///< .vtp
   std::string history;              ///< .csv
   std::string report;               ///< .json

@@ -55,6 +55,8 @@ const BadCall BadCalls[] = {
   { "SizeHalf", "render s.obj -o a.png --size 4", "--size" },
   { "SizeWord", "render s.obj -o a.png --size 4 x", "--size" },
   { "SizeTooLarge", "render s.obj -o a.png --size 40000 4", "width is 40000" },
+  { "IrradianceSuffix", "render s.obj --irradiance a.png", ".exr" },
+  { "IrradianceOfElements", "render s.obj --irradiance a.exr --method basic-shooting", "gathered" },
   { "OptionOfThePaper", "render s.obj -o a.png --oracle F", "choose another --method" },
   { "OptionOfGoalOriented", "render s.obj -o a.png --no-importance --method basic-shooting",
     "progressive-shooting" },

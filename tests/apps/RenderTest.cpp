@@ -179,6 +179,25 @@ TEST(Render, AWalkHasOneExposure)
   EXPECT_NE(exposureOf("-o b.png --eye 0 0 0 --look-at 0 0 -1 --up 0 1 0 --fov 20"), automatic);
 }
 
+TEST(Render, IrradianceIsAnImageOfItsOwn)
+{
+  const TemporaryFolder folder;
+  test::WriteBox(folder);
+  ASSERT_EQ(Render(folder, "-o a.exr --irradiance i.exr").exitCode, 0);
+  const Image radiance = ReadExr(folder / "a.exr");
+  const Image irradiance = ReadExr(folder / "i.exr");
+  ASSERT_EQ(irradiance.width, radiance.width);
+  std::size_t walls = 0; // of albedo 0.5, the lamp is in a few pixels
+  for (std::size_t k = 0; k < radiance.pixels.size(); ++k)
+  {
+    const double expected = 0.5 / Pi * Mean(irradiance.pixels[k]);
+    walls += std::abs(Mean(radiance.pixels[k]) - expected) < 1e-5 * expected ? 1 : 0; // floats
+  }
+  EXPECT_GT(walls, radiance.pixels.size() * 3 / 4);
+  ASSERT_EQ(Render(folder, "--irradiance alone.exr").exitCode, 0);
+  EXPECT_EQ(test::ReadText(folder / "alone.exr"), test::ReadText(folder / "i.exr"));
+}
+
 TEST(Render, IsTheSameForAnyNumberOfThreads)
 {
   const TemporaryFolder folder;

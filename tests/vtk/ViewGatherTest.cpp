@@ -114,6 +114,9 @@ TEST(ViewGather, ThePictureIsWhatTheCoreGathers)
       ASSERT_EQ(found[3 * k + c], static_cast<float>(view.radiance.pixels[k][c])) << k;
     }
   }
+  vtkDataArray* irradiance = gather->GetOutput()->GetPointData()->GetArray("Irradiance");
+  ASSERT_NE(irradiance, nullptr);
+  EXPECT_EQ(irradiance->GetComponent(100, 2), static_cast<float>(view.irradiance.pixels[100].z));
   vtkDataArray* error = gather->GetOutput()->GetFieldData()->GetArray("ErrorEstimate");
   ASSERT_NE(error, nullptr);
   const double solved = shooting->GetSolver()->History().back().errorEstimate;

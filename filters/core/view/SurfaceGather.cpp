@@ -146,6 +146,7 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
   const RadianceSolution& solution = *this->Solution;
   Result result;
   result.radiance.assign(points.size(), Color(0.0));
+  result.irradiance.assign(points.size(), Color(0.0));
   IndirectSettings indirectSettings{ settings.error, 0.0, settings.seed };
   std::vector<IndirectSpot> spots;
   std::vector<std::uint32_t> pointOfSpot;
@@ -164,6 +165,7 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
     for (std::uint32_t j = patches.starts[k]; j < patches.starts[k + 1]; ++j)
     {
       const std::uint32_t i = patches.order[j];
+      result.irradiance[i] = direct[i];
       result.radiance[i] = solution.emission[patch] + brdf * direct[i];
       indirectSettings.total += points[i].weight * Mean(result.radiance[i]);
       spots.push_back({ patch, border.Inside(points[i].point), points[i].weight * Mean(brdf) });
@@ -175,6 +177,7 @@ SurfaceGather::Result SurfaceGather::Radiance(const std::vector<GatherPoint>& po
     IndirectLight(*this->Occluders, solution, spots, indirectSettings, report);
   for (std::size_t k = 0; k < spots.size(); ++k)
   {
+    result.irradiance[pointOfSpot[k]] += indirect[k];
     result.radiance[pointOfSpot[k]] += solution.albedo[spots[k].patch] / Pi * indirect[k];
   }
   const double total = indirectSettings.total + report.sum;

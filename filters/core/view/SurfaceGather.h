@@ -63,8 +63,10 @@ public:
 
   struct Result
   {
-    std::vector<Color> radiance; ///< of each point, W m^-2 sr^-1; (0,0,0) on an inactive side
-    double error = 0.0;          ///< estimate of what Settings::error asks for
+    std::vector<Color> radiance;   ///< of each point, W m^-2 sr^-1; (0,0,0) on an inactive side
+    std::vector<Color> irradiance; ///< what it comes from, W m^-2, of the same error but on
+                                   ///< surfaces that reflect nothing
+    double error = 0.0;            ///< estimate of what Settings::error asks for
     GatherCounts counts;
   };
 

@@ -174,10 +174,13 @@ void Gather::LightIndirectly()
   const SurfaceGather::Result result =
     this->Light.Radiance(this->Samples.points, this->Direct, settings);
   this->View.radiance = Image(this->Settings.width, this->Settings.height);
+  this->View.irradiance = this->View.radiance;
   for (std::size_t i = 0; i < this->Samples.points.size(); ++i)
   {
-    this->View.radiance.pixels[this->Samples.pixelOfPoint[i]] +=
-      this->Samples.points[i].weight * result.radiance[i];
+    const std::uint32_t pixel = this->Samples.pixelOfPoint[i];
+    const double weight = this->Samples.points[i].weight;
+    this->View.radiance.pixels[pixel] += weight * result.radiance[i];
+    this->View.irradiance.pixels[pixel] += weight * result.irradiance[i];
   }
   this->Counts.direct.Add(result.counts.direct);
   GatherReport& report = this->View.report;

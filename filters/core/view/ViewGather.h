@@ -49,7 +49,8 @@ struct GatherReport
 
 struct GatheredView
 {
-  Image radiance;
+  Image radiance;             ///< W m^-2 sr^-1
+  Image irradiance;           ///< of what a pixel sees, W m^-2; mean over the pixel, as radiance
   std::vector<float> depth;   ///< distance of a pixel's centre from the eye; +inf: nothing
   std::vector<PatchId> patch; ///< what is seen there; None: nothing, or an inactive side
   GatherReport report;

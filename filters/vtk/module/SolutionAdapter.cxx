@@ -199,19 +199,29 @@ vtkSmartPointer<vtkTable> HistoryToTable(const std::vector<StepReport>& history)
   return table;
 }
 
-vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image)
+namespace
 {
-  const auto radiance = vtkSmartPointer<vtkFloatArray>::New();
-  radiance->SetName("Radiance");
-  radiance->SetNumberOfComponents(3);
-  radiance->SetNumberOfTuples(static_cast<vtkIdType>(image.pixels.size()));
+
+vtkSmartPointer<vtkFloatArray> PixelsToArray(const char* name, const Image& image)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(image.pixels.size()));
   for (std::size_t k = 0; k < image.pixels.size(); ++k)
   {
-    radiance->SetTuple(static_cast<vtkIdType>(k), &image.pixels[k].x);
+    array->SetTuple(static_cast<vtkIdType>(k), &image.pixels[k].x);
   }
+  return array;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image)
+{
   auto imageData = vtkSmartPointer<vtkImageData>::New();
   imageData->SetDimensions(image.width, image.height, 1);
-  imageData->GetPointData()->AddArray(radiance);
+  imageData->GetPointData()->AddArray(PixelsToArray("Radiance", image));
   return imageData;
 }
 
@@ -235,6 +245,7 @@ vtkSmartPointer<vtkImageData> ViewToImageData(
   vtkSmartPointer<vtkImageData> image = ImageToImageData(view.radiance);
   vtkPointData* points = image->GetPointData();
   points->SetActiveScalars("Radiance");
+  points->AddArray(PixelsToArray("Irradiance", view.irradiance));
   points->AddArray(MakeArray<vtkIdTypeArray>("ElementId", view.patch.size(), cellOf));
   points->AddArray(MakeArray<vtkFloatArray>(
     "Depth", view.depth.size(), [&](std::size_t k) { return view.depth[k]; }));

@@ -69,9 +69,9 @@ VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkTable> HistoryToTable(
 /// An image with the point array Radiance (3 floats, W m^-2 sr^-1), row 0 at the bottom.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ImageToImageData(const Image& image);
 
-/// The same with the point arrays ElementId (id, cell of the elements; -1: none) and Depth (float)
-/// and the field arrays GatherErrorEstimate and, where it is known, ErrorEstimate: of the solution
-/// and of the gather. `camera` is that of the view.
+/// The same with the point arrays Irradiance (3 floats, W m^-2), ElementId (id, cell of the
+/// elements; -1: none) and Depth (float) and the field arrays GatherErrorEstimate and, where it is
+/// known, ErrorEstimate: of the solution and of the gather. `camera` is that of the view.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkImageData> ViewToImageData(
   const GatheredView& view, const Camera& camera, const SolvedView& solved);
 

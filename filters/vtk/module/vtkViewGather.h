@@ -32,11 +32,12 @@ struct Camera;
 ///
 /// Output: vtkImageData of Width x Height x 1, row 0 at the bottom, with the point arrays
 ///
-/// | array     | components | type  | content                                                    |
-/// |-----------|------------|-------|------------------------------------------------------------|
-/// | Radiance  | 3          | float | mean over the pixel, W m^-2 sr^-1; the active scalars      |
-/// | ElementId | 1          | id    | cell of port 0 that the pixel's centre sees; -1: none      |
-/// | Depth     | 1          | float | its distance from the eye, scene units; infinite: nothing  |
+/// | array      | components | type  | content                                                   |
+/// |------------|------------|-------|-----------------------------------------------------------|
+/// | Radiance   | 3          | float | mean over the pixel, W m^-2 sr^-1; the active scalars     |
+/// | Irradiance | 3          | float | of the surfaces that it sees, W m^-2, mean over the pixel |
+/// | ElementId  | 1          | id    | cell of port 0 that the pixel's centre sees; -1: none     |
+/// | Depth      | 1          | float | its distance from the eye, scene units; infinite: nothing |
 ///
 /// and the field arrays GatherErrorEstimate (1 double), the relative L1 error that the gather adds
 /// to that of the solution, and ErrorEstimate (1), that of the picture as a whole. There is none of

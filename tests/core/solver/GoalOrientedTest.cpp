@@ -144,6 +144,48 @@ TEST(GoalOriented, ContributionsOfTheLinksAddUpToWhatTheElementsReceive)
   EXPECT_NEAR(shot / incident, 1.0, 0.02 / 50);
 }
 
+/// A wall tells its irradiance by its radiance; a lamp that reflects nothing receives light as
+/// well.
+TEST(GoalOriented, RadianceComesFromIrradiance)
+{
+  Scene scene = test::MakeLitBox();
+  for (Material& material : scene.materials)
+  {
+    material.albedo = Color(0.5, 0.25, 0.8);
+  }
+  scene.materials[3].albedo = Color(0.0); // the lamp
+  Camera camera = scene.cameras[0];
+  camera.lookAt = Vec3(0.5, 0.5, 0.8); // the lamp as well
+  Solver solver = MakeGoalSolver(scene);
+  solver.SetCamera(camera);
+  solver.Run(Error(0.05));
+  GatherSettings settings;
+  settings.width = 32;
+  settings.height = 32;
+  settings.pixelCentres = true;
+  const GatheredView view = solver.Gather(camera, settings);
+  int walls = 0;
+  int lamps = 0;
+  for (std::size_t k = 0; k < view.radiance.pixels.size(); ++k)
+  {
+    const Color& radiance = view.radiance.pixels[k];
+    const Color& irradiance = view.irradiance.pixels[k];
+    if (radiance == scene.materials[3].emission)
+    {
+      EXPECT_GT(Mean(irradiance), 0.0);
+      ++lamps;
+    }
+    else if (view.patch[k] != None)
+    {
+      const Color expected = Color(0.5, 0.25, 0.8) / Pi * irradiance;
+      ASSERT_LT(MaxChannel(glm::abs(radiance - expected)), 1e-12 * MaxChannel(radiance)) << k;
+      ++walls;
+    }
+  }
+  EXPECT_GT(walls, 500);
+  EXPECT_GT(lamps, 3);
+}
+
 TEST(GoalOriented, TwoRunsContinueAsOneWouldHaveGone)
 {
   const Scene scene = test::MakeLitBox();
