@@ -13,9 +13,6 @@ namespace
 {
 
 constexpr std::size_t MostFaces = 1024;
-/// Smaller ones of a lamp that is not convex are hidden by so much of the rest of it that a single
-/// polygon is no more work, unless they are flat.
-constexpr std::size_t SmallPart = 32;
 constexpr std::uint32_t Nowhere = static_cast<std::uint32_t>(-1);
 
 class PartFinder
@@ -38,22 +35,11 @@ public:
 
   std::vector<LampPart> Find()
   {
-    std::vector<std::vector<std::uint32_t>> parts;
-    std::vector<std::size_t> sizeOfWhole(this->Shapes.size(), 0);
     for (std::uint32_t i = 0; i < this->Shapes.size(); ++i)
     {
-      ++sizeOfWhole[this->Whole.Find(i)];
       if (this->ConvexPart[i] == Nowhere)
       {
-        parts.push_back(this->GrowFrom(i));
-      }
-    }
-    for (const std::vector<std::uint32_t>& part : parts)
-    {
-      const bool isWhole = part.size() == sizeOfWhole[this->Whole.Find(part[0])];
-      if (!isWhole && part.size() < SmallPart && !this->IsFlat(part))
-      {
-        this->TakeApart(part);
+        this->GrowFrom(i);
       }
     }
     std::vector<LampPart> partOf;
@@ -89,7 +75,7 @@ private:
       });
   }
 
-  std::vector<std::uint32_t> GrowFrom(std::uint32_t first)
+  void GrowFrom(std::uint32_t first)
   {
     std::vector<std::uint32_t> part{ first };
     this->ConvexPart[first] = first;
@@ -107,23 +93,6 @@ private:
         }
       }
     }
-    return part;
-  }
-
-  void TakeApart(const std::vector<std::uint32_t>& part)
-  {
-    for (const std::uint32_t i : part)
-    {
-      this->ConvexPart[i] = i;
-    }
-  }
-
-  bool IsFlat(const std::vector<std::uint32_t>& part) const
-  {
-    const Vec3& normal = this->Planes[part[0]].normal;
-    return std::all_of(part.begin(), part.end(),
-      [&](std::uint32_t i)
-      { return glm::length(this->Planes[i].normal - normal) <= LampSurface::LargestDent; });
   }
 
   bool IsBehind(std::uint32_t one, std::uint32_t other) const

@@ -21,8 +21,8 @@ struct LampPart
 
 /// Finds what each of some polygons is part of. Those of a convex part lie behind each other's
 /// planes, so from where the front of one is seen nothing of it is hidden by another. A globe, a
-/// tube, a disc is one part each; of a ring it is the outer half, and each polygon of the inner
-/// half. Corners may stand out by LampSurface::LargestDent. Convex parts have 1024 polygons at
+/// tube, a disc is one part each; of a ring it is the outer half, and of the inner half each
+/// segment. Corners may stand out by LampSurface::LargestDent. Convex parts have 1024 polygons at
 /// most. O(n * polygons of a part).
 /// \param shapes counter-clockwise from the side that shines
 /// \param areAlike whether two of them may be parts of one lamp

@@ -134,11 +134,11 @@ TEST(LampParts, WhatIsHollowComesApart)
   EXPECT_EQ(SizesOf(parts, &LampPart::convex).back(), 2);
 }
 
-TEST(LampParts, OfARingTheOuterHalfIsOne)
+TEST(LampParts, OfARingTheOuterHalfIsOneAndEachSegmentOfTheInnerHalf)
 {
   const std::vector<LampPart> parts = LampPartsOf(Ring(24, 12), Alike);
   EXPECT_EQ(SizesOf(parts, &LampPart::whole), Sizes{ 288 });
-  Sizes expected(144, 1);
+  Sizes expected(24, 6);
   expected.push_back(144);
   EXPECT_EQ(SizesOf(parts, &LampPart::convex), expected);
 }
