@@ -1,5 +1,6 @@
 #include "core/mesh/DarkSides.h"
 
+#include "core/math/PointInPolygon.h"
 #include "core/mesh/PackedLists.h"
 #include "core/mesh/Shells.h"
 
@@ -58,19 +59,6 @@ double SolidAngle(PolygonView shape, const Vec3& eye)
                    la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
   }
   return sum;
-}
-
-bool Contains(PolygonView shape, const Vec3& normal, const Vec3& placeInPlane)
-{
-  for (int i = 0; i < shape.Size(); ++i)
-  {
-    const Vec3 along = shape[(i + 1) % shape.Size()] - shape[i];
-    if (glm::dot(glm::cross(along, placeInPlane - shape[i]), normal) < 0.0)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 /// Whether an edge passes through the other one, from one side of its plane to the other.

@@ -1,6 +1,7 @@
 #include "core/view/LitSurfaces.h"
 
 #include "core/formfactor/FormFactor.h"
+#include "core/math/PointInPolygon.h"
 #include "core/math/Sampling.h"
 #include "core/math/ScrambledSobol.h"
 
@@ -41,15 +42,7 @@ std::optional<Vec3> Meet(
     return {};
   }
   const Vec3 place = origin + height / approach * direction;
-  for (int i = 0; i < shape.Size(); ++i)
-  {
-    const Vec3 edge = shape[(i + 1) % shape.Size()] - shape[i];
-    if (glm::dot(glm::cross(edge, place - shape[i]), normal) < 0.0)
-    {
-      return {};
-    }
-  }
-  return place;
+  return Contains(shape, normal, place) ? std::optional(place) : std::nullopt;
 }
 
 } // namespace
