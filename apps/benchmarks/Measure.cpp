@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <limits>
 
 namespace vantage::benchmarks
 {
@@ -45,6 +47,10 @@ std::size_t PeakMemoryBytes()
 
 double Median(std::vector<double> values)
 {
+  for (double& value : values)
+  {
+    value = std::isnan(value) ? std::numeric_limits<double>::infinity() : value; // never over never
+  }
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   return 0.5 * (values[(n - 1) / 2] + values[n / 2]);

@@ -2,6 +2,7 @@
 #include "Measure.h"
 
 #include "core/Solver.h"
+#include "core/mesh/DarkSides.h"
 #include "core/mesh/ElementTree.h"
 #include "core/visibility/OccluderScene.h"
 #include "support/StudyScenes.h"
@@ -35,11 +36,14 @@ void MeasureStages(int rooms)
   const Stopwatch facetWatch;
   const FacetSet facets = BuildFacets(scene);
   PrintStage(rooms, "facets", facetWatch);
+  const Stopwatch darkWatch;
+  const DarkSides dark = FindDarkSides(facets, scene.materials);
+  PrintStage(rooms, "dark sides", darkWatch);
   const Stopwatch treeWatch;
-  const ElementTree tree(facets, scene.materials);
+  const ElementTree tree(facets, scene.materials, dark);
   PrintStage(rooms, "tree", treeWatch);
   const Stopwatch occluderWatch;
-  const OccluderScene occluders(facets);
+  const OccluderScene occluders(facets, dark);
   PrintStage(rooms, "occluders", occluderWatch);
   PrintStage(rooms, "sum", all);
 }

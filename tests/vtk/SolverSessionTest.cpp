@@ -149,6 +149,8 @@ TEST(SolverSession, OtherLightsAndColoursKeepInteractions)
   const Change changes[] = {
     { "albedo", [](Question& q) { q.scene.materials[1].albedo.y = 0.4; } },
     { "emission", [](Question& q) { q.scene.materials[2].emission.z = 5.0; } },
+    { "specular", [](Question& q) { q.scene.materials[0].specular.x = 0.1; } }, // warned of
+    { "shininess", [](Question& q) { q.scene.materials[0].shininess = 3.0; } },
   };
   SolverSession reference;
   const std::size_t interactions = Ask(reference, Question()).Interactions().size();

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <tbb/global_control.h>
@@ -25,6 +26,22 @@ constexpr int MostSamples = 1 << 20;
 bool Contains(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// As a shell takes it for one word.
+std::string Quoted(const std::string& word)
+{
+  const bool isPlain = !word.empty() && std::all_of(word.begin(), word.end(),
+                                          [](unsigned char c) {
+                                            return std::isalnum(c) != 0 || c == '.' || c == '/' ||
+                                                   c == '-' || c == '_';
+                                          });
+  std::string quoted = "'";
+  for (const char c : word)
+  {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return isPlain ? word : quoted + "'";
 }
 
 /// Largest first, each once.
@@ -161,18 +178,29 @@ std::vector<RunPlan> ReportOptions::MakePlans() const
 
 std::string ReportOptions::CommandLine(const Target& target) const
 {
-  std::string text = "vantage report " + this->scene + " -o " + this->folder + " --camera " +
-                     target.camera.name + " --size " + std::to_string(target.width) + ' ' +
-                     std::to_string(target.height) + " --methods";
+  std::vector<std::string> methods;
   for (const RunPlan& plan : this->MakePlans())
   {
-    text += text.find(' ' + plan.method) == std::string::npos ? ' ' + plan.method : "";
+    if (!Contains(methods, plan.method))
+    {
+      methods.push_back(plan.method);
+    }
+  }
+  std::string text = "vantage report " + Quoted(this->scene) + " -o " + Quoted(this->folder) +
+                     " --camera " + Quoted(target.camera.name) + " --size " +
+                     std::to_string(target.width) + ' ' + std::to_string(target.height) +
+                     " --methods";
+  for (const std::string& method : methods)
+  {
+    text += ' ' + method;
   }
   text += PrintOption("--errors", this->errors) +
           PrintOption("--power-tolerances", this->powerTolerances) +
           PrintOption("--samples", this->samples) + " --time " + PrintNumber(this->seconds) +
           " --threads " + std::to_string(this->threads) + " --seed " + std::to_string(this->seed);
-  return text + (this->reference.empty() ? "" : " --reference " + this->reference);
+  text +=
+    this->referenceFolder.empty() ? "" : " --reference-folder " + Quoted(this->referenceFolder);
+  return text + (this->reference.empty() ? "" : " --reference " + Quoted(this->reference));
 }
 
 void DeclareReportOptions(CLI::App& command, ReportOptions& options)

@@ -45,7 +45,7 @@ double Throughput(const Polygon& a, const Polygon& b, Accuracy accuracy = Accura
 /// overlap; the work is bounded, so many fine shadows end with less accuracy. Occluders much
 /// smaller than a that hang close above it may fall between the quadrature points: of 200 of a
 /// twentieth of its size, 29 missed the default accuracy, the worst with 4e-3.
-/// \pre at most Polygon::Capacity - 1 vertices each for a and b
+/// \pre at most Polygon::Capacity - 2 vertices each for a and b
 double VisibleThroughput(const Polygon& a, const Polygon& b, const std::vector<Polygon>& occluders,
   Accuracy accuracy = Accuracy::Default);
 

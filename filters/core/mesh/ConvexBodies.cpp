@@ -1,8 +1,10 @@
 #include "core/mesh/ConvexBodies.h"
 
+#include "core/mesh/DisjointSets.h"
 #include "core/mesh/FacetEdges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vantage
 {
@@ -10,100 +12,145 @@ namespace vantage
 namespace
 {
 
-constexpr std::size_t MostFaces = 2048;
+constexpr std::size_t MostFacets = 2048;
 
 PatchId OtherSide(PatchId patch)
 {
   return patch ^ 1u;
 }
 
-/// The faces of one closed body, seen from outside.
-class BodyFaces
+/// The facets of one closed body, seen from outside.
+class BodyFacets
 {
 public:
-  BodyFaces(const FacetSet& facets, const std::vector<PatchId>& faces)
+  BodyFacets(const FacetSet& set, const std::vector<PatchId>& facets)
   {
-    for (const PatchId face : faces)
+    for (const PatchId facet : facets)
     {
-      const TriangleOrQuadrilateral& shape = facets.facets[face / 2].shape;
-      this->Shapes.push_back(face % 2 == 0 ? shape : Reversed(shape));
+      const TriangleOrQuadrilateral& shape = set.facets[facet / 2].shape;
+      this->Shapes.push_back(facet % 2 == 0 ? shape : Reversed(shape));
+      this->Planes.push_back(SupportingPlane(this->Shapes.back()));
+      this->Middles.push_back(Centroid(this->Shapes.back()));
     }
   }
 
   bool AreConvex() const
   {
-    return std::all_of(this->Shapes.begin(), this->Shapes.end(),
-      [this](const TriangleOrQuadrilateral& face)
+    for (std::uint32_t a = 0; a < this->Shapes.size(); ++a)
+    {
+      for (std::uint32_t b = 0; b < this->Shapes.size(); ++b)
       {
-        const Plane plane = SupportingPlane(face);
-        const Vec3 middle = Centroid(face);
-        return std::all_of(this->Shapes.begin(), this->Shapes.end(),
-          [&](const TriangleOrQuadrilateral& other) { return IsBehind(other, plane, middle); });
-      });
+        if (this->RangeOver(a, b).second > ConvexBodies::LargestDent)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
-  /// Each edge once; none when some face has no other one beside it, or several.
-  std::vector<ConvexBodies::Edge> Edges() const
+  /// Finds the edges between sides, and sides: of each the first facet, in `sides`. False when some
+  /// facet has no other one beside it, or several.
+  bool FindEdges(std::vector<ConvexBodies::Edge>& edges, std::vector<std::uint32_t>& sides) const
   {
-    const std::vector<FacetEdge> halves =
-      vantage::EdgesOf(static_cast<std::uint32_t>(this->Shapes.size()),
-        [this](std::uint32_t face) -> PolygonView { return this->Shapes[face]; });
-    std::vector<ConvexBodies::Edge> edges;
+    const std::vector<FacetEdge> halves = EdgesOf(static_cast<std::uint32_t>(this->Shapes.size()),
+      [this](std::uint32_t facet) -> PolygonView { return this->Shapes[facet]; });
+    DisjointSets joined(this->Shapes.size());
     bool areAllPairs = true;
     ForEachEdge(halves,
       [&](const auto first, const auto last)
       {
         areAllPairs = areAllPairs && last - first == 2;
-        edges.push_back({ first->facet, (last - 1)->facet, first->corner });
+        const std::uint32_t other = (last - 1)->facet;
+        edges.push_back({ 0, other, first->facet, first->corner });
+        if (this->AreInOnePlane(first->facet, other))
+        {
+          joined.Join(first->facet, other);
+        }
       });
-    return areAllPairs ? edges : std::vector<ConvexBodies::Edge>();
+    std::vector<std::uint32_t> sideOf(this->Shapes.size());
+    for (std::uint32_t facet = 0; facet < this->Shapes.size(); ++facet)
+    {
+      const std::uint32_t representative = joined.Find(facet);
+      if (representative == facet)
+      {
+        sideOf[facet] = static_cast<std::uint32_t>(sides.size());
+        sides.push_back(facet);
+      }
+      sideOf[facet] = sideOf[representative]; // which comes first
+    }
+    for (ConvexBodies::Edge& edge : edges)
+    {
+      edge.first = sideOf[edge.facet];
+      edge.second = sideOf[edge.second];
+    }
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                  [](const ConvexBodies::Edge& edge) { return edge.first == edge.second; }),
+      edges.end());
+    return areAllPairs;
   }
 
 private:
-  static bool IsBehind(PolygonView shape, const Plane& plane, const Vec3& middle)
+  /// How far the corners of one facet are in front of the plane of another one, at least and at
+  /// most, over their distance from its middle.
+  std::pair<double, double> RangeOver(std::uint32_t plane, std::uint32_t facet) const
   {
-    return std::all_of(shape.begin(), shape.end(),
-      [&](const Vec3& corner)
-      {
-        const double height = plane.Distance(corner);
-        return height <= 0.0 || height <= ConvexBodies::LargestDent * glm::length(corner - middle);
-      });
+    std::pair<double, double> range(0.0, 0.0);
+    for (const Vec3& corner : this->Shapes[facet])
+    {
+      const double height = this->Planes[plane].Distance(corner);
+      const double distance = glm::length(corner - this->Middles[plane]);
+      const double relative = height == 0.0 ? 0.0 : height / distance;
+      range = { std::min(range.first, relative), std::max(range.second, relative) };
+    }
+    return range;
+  }
+
+  bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const
+  {
+    return this->RangeOver(a, b).first >= -ConvexBodies::LargestDent &&
+           this->RangeOver(b, a).first >= -ConvexBodies::LargestDent;
   }
 
   std::vector<TriangleOrQuadrilateral> Shapes;
+  std::vector<Plane> Planes;
+  std::vector<Vec3> Middles;
 };
 
 } // namespace
 
 ConvexBodies::ConvexBodies(const FacetSet& facets, const DarkSides& dark)
 {
-  std::vector<std::vector<PatchId>> faces(dark.bodies.size());
+  std::vector<std::vector<PatchId>> facetsOf(dark.bodies.size());
   for (PatchId patch = 0; patch < dark.bodyOf.size(); ++patch)
   {
     if (dark.bodyOf[patch] != None)
     {
-      faces[dark.bodyOf[patch]].push_back(OtherSide(patch));
+      facetsOf[dark.bodyOf[patch]].push_back(OtherSide(patch));
     }
   }
-  for (const std::vector<PatchId>& ofBody : faces)
+  for (const std::vector<PatchId>& ofBody : facetsOf)
   {
     this->Add(facets, ofBody);
-    this->FirstFace.push_back(static_cast<std::uint32_t>(this->Faces.size()));
+    this->FirstFacet.push_back(static_cast<std::uint32_t>(this->Facets.size()));
+    this->FirstSide.push_back(static_cast<std::uint32_t>(this->Sides.size()));
     this->FirstEdge.push_back(static_cast<std::uint32_t>(this->Edges.size()));
   }
 }
 
-void ConvexBodies::Add(const FacetSet& facets, const std::vector<PatchId>& faces)
+void ConvexBodies::Add(const FacetSet& set, const std::vector<PatchId>& facets)
 {
-  const BodyFaces body(facets, faces);
-  if (faces.size() > MostFaces || !body.AreConvex())
+  if (facets.size() > MostFacets)
   {
     return;
   }
-  const std::vector<Edge> edges = body.Edges();
-  if (!edges.empty())
+  const BodyFacets body(set, facets);
+  std::vector<Edge> edges;
+  std::vector<std::uint32_t> sides;
+  if (body.AreConvex() && body.FindEdges(edges, sides))
   {
-    this->Faces.insert(this->Faces.end(), faces.begin(), faces.end());
+    this->Facets.insert(this->Facets.end(), facets.begin(), facets.end());
+    this->Sides.insert(this->Sides.end(), sides.begin(), sides.end());
     this->Edges.insert(this->Edges.end(), edges.begin(), edges.end());
   }
 }

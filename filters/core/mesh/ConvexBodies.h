@@ -16,11 +16,12 @@ namespace vantage
 class ConvexBodies
 {
 public:
-  /// Between two faces: it starts at a corner of the facet of the first one, which is seen from
+  /// Between two sides: it starts at a corner of a facet of the first one, which is seen from
   /// outside, and runs counter-clockwise around that.
   struct Edge
   {
-    std::uint32_t first, second; ///< faces
+    std::uint32_t first, second; ///< sides
+    std::uint32_t facet;         ///< its place in FacetsOf()
     std::uint32_t corner;
   };
   template <typename Entry>
@@ -35,20 +36,26 @@ public:
   };
 
   ConvexBodies() = default;
-  /// Corners may stand out by `LargestDent`. Bodies have 2048 faces at most.
-  /// O(facets), and for each body its faces times its corners, until one stands out.
+  /// Corners may stand out by `LargestDent`, and facets that are no more out of one plane are one
+  /// side. Bodies have 2048 facets at most.
+  /// O(facets), and for each body its facets times its corners, until one stands out.
   ConvexBodies(const FacetSet& facets, const DarkSides& dark);
 
-  /// Over the distance from the middle of a face, how far corners may stand out in front of its
+  /// Over the distance from the middle of a facet, how far corners may stand out in front of its
   /// plane: what single precision leaves of a plane.
   static constexpr double LargestDent = 1e-5;
 
   /// Whether a body of DarkSides is one of them.
-  bool Has(std::uint32_t body) const { return this->FacesOf(body).size() > 0; }
-  /// The outer sides of its facets, none when it is not convex.
-  List<PatchId> FacesOf(std::uint32_t body) const
+  bool Has(std::uint32_t body) const { return this->FacetsOf(body).size() > 0; }
+  /// Its facets as seen from outside, none when it is not convex.
+  List<PatchId> FacetsOf(std::uint32_t body) const
   {
-    return ListOf(this->Faces, this->FirstFace, body);
+    return ListOf(this->Facets, this->FirstFacet, body);
+  }
+  /// Of each side a facet in its plane, by place in FacetsOf().
+  List<std::uint32_t> SidesOf(std::uint32_t body) const
+  {
+    return ListOf(this->Sides, this->FirstSide, body);
   }
   List<Edge> EdgesOf(std::uint32_t body) const
   {
@@ -62,11 +69,13 @@ private:
   {
     return { entries.data() + starts[body], entries.data() + starts[body + 1] };
   }
-  void Add(const FacetSet& facets, const std::vector<PatchId>& faces);
+  void Add(const FacetSet& set, const std::vector<PatchId>& facets);
 
-  std::vector<PatchId> Faces;
+  std::vector<PatchId> Facets;
+  std::vector<std::uint32_t> Sides;
   std::vector<Edge> Edges;
-  std::vector<std::uint32_t> FirstFace{ 0 }; ///< of each body, and the end
+  std::vector<std::uint32_t> FirstFacet{ 0 }; ///< of each body, and the end
+  std::vector<std::uint32_t> FirstSide{ 0 };
   std::vector<std::uint32_t> FirstEdge{ 0 };
 };
 

@@ -203,14 +203,14 @@ LampView::Search LampView::SearchAround(const Group& all, double tolerance) cons
 /// and nothing of a lamp that is part of it.
 bool LampView::AddBody(std::uint32_t body, Search& search) const
 {
-  const auto faces = this->Occluders->Convex().FacesOf(body);
-  if (faces.size() == 0)
+  const auto facets = this->Occluders->Convex().FacetsOf(body);
+  if (facets.size() == 0)
   {
     return false;
   }
-  const bool isItsOwn = std::any_of(faces.begin(), faces.end(),
-    [this](PatchId face)
-    { return face / 2 == this->Facet || this->Named->IsOfConvexPart(face / 2); });
+  const bool isItsOwn = std::any_of(facets.begin(), facets.end(),
+    [this](PatchId side)
+    { return side / 2 == this->Facet || this->Named->IsOfConvexPart(side / 2); });
   if (isItsOwn)
   {
     return true;
@@ -221,10 +221,10 @@ bool LampView::AddBody(std::uint32_t body, Search& search) const
   }
   Obstacle obstacle;
   obstacle.firstFacet = static_cast<std::uint32_t>(search.facets.size());
-  for (const PatchId face : faces)
+  for (const PatchId side : facets)
   {
-    search.facets.push_back(face / 2);
-    for (const Vec3& corner : this->Occluders->Shape(face / 2))
+    search.facets.push_back(side / 2);
+    for (const Vec3& corner : this->Occluders->Shape(side / 2))
     {
       obstacle.bounds.Add(corner);
     }
@@ -254,19 +254,22 @@ ConvexBody LampView::LocalBody(std::uint32_t body) const
   const ConvexBodies& bodies = this->Occluders->Convex();
   std::vector<Polygon> shapes;
   ConvexBody local;
-  for (const PatchId face : bodies.FacesOf(body))
+  for (const PatchId facet : bodies.FacetsOf(body))
   {
     Polygon& shape = shapes.emplace_back();
-    for (const Vec3& v : ShapeOf(*this->Occluders, face))
+    for (const Vec3& v : ShapeOf(*this->Occluders, facet))
     {
       shape.Add(this->Frame->ToLocal(v) / this->Unit);
       local.corners.push_back(shape[shape.Size() - 1]);
     }
-    local.planes.push_back(SupportingPlane(shape));
+  }
+  for (const std::uint32_t facet : bodies.SidesOf(body))
+  {
+    local.planes.push_back(SupportingPlane(shapes[facet]));
   }
   for (const ConvexBodies::Edge& edge : bodies.EdgesOf(body))
   {
-    const Polygon& shape = shapes[edge.first];
+    const Polygon& shape = shapes[edge.facet];
     const int corner = static_cast<int>(edge.corner);
     local.edges.push_back(
       { shape[corner], shape[(corner + 1) % shape.Size()], edge.first, edge.second });

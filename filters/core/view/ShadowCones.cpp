@@ -14,6 +14,18 @@ namespace
 /// What is nearer to a plane than this touches it.
 constexpr double Touching = 1e-10;
 
+/// Where an edge leaves the front of a plane, by the distances of its ends from that: an end that
+/// touches it is the same for all edges there.
+Vec3 Crossing(const ConvexBody::Edge& edge, double from, double to)
+{
+  if (std::abs(from) <= Touching)
+  {
+    return edge.from;
+  }
+  return std::abs(to) <= Touching ? edge.to
+                                  : edge.from + from / (from - to) * (edge.to - edge.from);
+}
+
 template <typename Points>
 bool AreInFront(const Points& points, const Plane& plane)
 {
@@ -389,7 +401,7 @@ void ShadowCones::AddEdges(const ConvexBody& whole, const std::optional<Plane>& 
     }
     if (isFromIn != isToIn)
     {
-      const Vec3 crossing = edge.from + from / (from - to) * (edge.to - edge.from);
+      const Vec3 crossing = Crossing(edge, from, to);
       // Where the edge leaves the front its first face does, and the second one comes back.
       (isFromIn ? cuts[edge.first].start : cuts[edge.first].end) = crossing;
       (isFromIn ? cuts[edge.second].end : cuts[edge.second].start) = crossing;
@@ -398,7 +410,7 @@ void ShadowCones::AddEdges(const ConvexBody& whole, const std::optional<Plane>& 
   for (std::uint32_t face = 0; face < cuts.size(); ++face)
   {
     const auto& [start, end] = cuts[face];
-    if (start && end)
+    if (start && end && *start != *end) // it may touch the plane in a corner
     {
       const auto none = static_cast<std::uint32_t>(whole.planes.size());
       body.edges.push_back({ EdgeBetween(*start, *end), face, none });

@@ -14,7 +14,7 @@
 namespace vantage
 {
 
-/// A closed convex body, its faces as seen from outside.
+/// A closed convex body, its faces as seen from outside, all in planes of their own.
 struct ConvexBody
 {
   struct Edge

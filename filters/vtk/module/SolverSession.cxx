@@ -36,9 +36,8 @@ auto KeyOf(const Camera& camera)
 
 auto KeyOf(const Material& material)
 {
-  // Nothing is computed from the specular part.
   const auto& [name, albedo, emission, specular, shininess, twoSided] = material;
-  return std::tie(albedo, emission, twoSided);
+  return std::tie(albedo, emission, specular, shininess, twoSided);
 }
 
 bool HaveEqualMaterials(const Scene& a, const Scene& b)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vantage
 {
@@ -48,7 +49,7 @@ struct Found
     std::vector<std::size_t> faces;
     for (std::uint32_t body = 0; body < this->dark.bodies.size(); ++body)
     {
-      faces.push_back(this->bodies.FacesOf(body).size());
+      faces.push_back(this->bodies.FacetsOf(body).size());
       EXPECT_EQ(this->bodies.Has(body), faces.back() > 0);
     }
     std::sort(faces.begin(), faces.end());
@@ -72,29 +73,44 @@ TEST(ConvexBodies, AreBoxesAndBalls)
   EXPECT_EQ(Found(scene).Faces(), (Counts{ 6, 120 }));
 }
 
-TEST(ConvexBodies, HaveEachEdgeBetweenTheTwoFacesThatShareIt)
+TEST(ConvexBodies, HaveEachEdgeBetweenTheTwoSidesThatShareIt)
 {
+  const Vec3 centre(2.0, 1.5, 1.0);
   Scene scene = LitRoom();
-  test::AddBall(scene, { 2.0, 1.5, 1.0 }, 0.4, 4, 0);
+  test::AddBall(scene, centre, 0.4, 4, 0);
   const Found found(scene);
   ASSERT_EQ(found.Faces(), Counts{ 48 });
-  const auto faces = found.bodies.FacesOf(0);
+  const auto facets = found.bodies.FacetsOf(0);
+  const auto sides = found.bodies.SidesOf(0);
   const auto edges = found.bodies.EdgesOf(0);
-  EXPECT_EQ(edges.size(), 48u * 3u / 2u);
+  // Two rings of trapezoids between two of triangles.
+  EXPECT_EQ(sides.size(), 32u);
+  EXPECT_EQ(edges.size(), 56u);
+  const auto planeOfSide = [&](std::uint32_t side)
+  { return SupportingPlane(found.Shape(facets.begin()[sides.begin()[side]])); };
   for (const ConvexBodies::Edge& edge : edges)
   {
-    const Polygon first = found.Shape(faces.begin()[edge.first]);
-    const Polygon second = found.Shape(faces.begin()[edge.second]);
-    EXPECT_GT(glm::dot(UnitNormal(first), Centroid(first) - Vec3(2.0, 1.5, 1.0)), 0.0);
+    const Polygon first = found.Shape(facets.begin()[edge.facet]);
+    EXPECT_GT(glm::dot(UnitNormal(first), Centroid(first) - centre), 0.0);
+    EXPECT_LT(glm::length(UnitNormal(first) - planeOfSide(edge.first).normal), 1e-9);
     const auto corner = static_cast<int>(edge.corner);
     const Vec3 from = first[corner];
     const Vec3 to = first[(corner + 1) % first.Size()];
     int shared = 0;
-    for (int i = 0; i < second.Size(); ++i)
+    for (const PatchId facet : facets)
     {
-      shared += second[i] == to && second[(i + 1) % second.Size()] == from ? 1 : 0;
+      const Polygon second = found.Shape(facet);
+      for (int i = 0; i < second.Size(); ++i)
+      {
+        if (second[i] == to && second[(i + 1) % second.Size()] == from)
+        {
+          ++shared;
+          EXPECT_LT(glm::length(UnitNormal(second) - planeOfSide(edge.second).normal), 1e-9);
+        }
+      }
     }
     EXPECT_EQ(shared, 1);
+    EXPECT_LT(glm::dot(planeOfSide(edge.first).normal, planeOfSide(edge.second).normal), 0.99);
   }
 }
 
@@ -134,6 +150,36 @@ TEST(ConvexBodies, MayBeRounded)
     vertex = Vec3(glm::vec3(vertex));
   }
   EXPECT_EQ(Found(scene).Faces(), Counts{ 224 });
+}
+
+/// A turned box of triangles in single precision: two of them that make up one of its sides may
+/// be seen on one side of an edge that is not there.
+TEST(ConvexBodies, HaveSidesOfSeveralFacets)
+{
+  Scene boxes;
+  boxes.materials.resize(1);
+  test::AddBox(boxes, { -0.4, -0.3, 0.2 }, { 0.4, 0.3, 1.1 }, false, { 0, 0, 0, 0, 0, 0 });
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    SCOPED_TRACE(turn);
+    Scene scene = LitRoom();
+    const double angle = 0.05 + 0.07 * turn;
+    const auto at = [&](const Vec3& v)
+    {
+      return Vec3(glm::vec3(2.0 + std::cos(angle) * v.x - std::sin(angle) * v.y,
+        1.5 + std::sin(angle) * v.x + std::cos(angle) * v.y, v.z));
+    };
+    for (std::size_t p = 0; p < boxes.PolygonCount(); ++p)
+    {
+      const std::vector<Vec3> c = test::CornersOf(boxes, p);
+      scene.AddPolygon({ at(c[0]), at(c[1]), at(c[2]) }, 0);
+      scene.AddPolygon({ at(c[0]), at(c[2]), at(c[3]) }, 0);
+    }
+    const Found found(scene);
+    ASSERT_EQ(found.Faces(), Counts{ 12 });
+    EXPECT_EQ(found.bodies.SidesOf(0).size(), 6u);
+    EXPECT_EQ(found.bodies.EdgesOf(0).size(), 12u);
+  }
 }
 
 TEST(ConvexBodies, ThatCarryALampInsideAreNone)

@@ -152,6 +152,50 @@ TEST(ShadowCones, ABodyHidesOfAFlatLampWhatItsFacesHide)
   EXPECT_GT(hidden, 50);
 }
 
+std::vector<Polygon> InTriangles(const std::vector<Polygon>& faces)
+{
+  std::vector<Polygon> triangles;
+  for (const Polygon& face : faces)
+  {
+    for (int i = 2; i < face.Size(); ++i)
+    {
+      triangles.push_back({ face[0], face[i - 1], face[i] });
+    }
+  }
+  return triangles;
+}
+
+/// Bodies that reach as high as the lamp: triangles of them touch its plane in one corner, to the
+/// bit and nearly so.
+TEST(ShadowCones, ABodyMayTouchThePlaneOfTheLampInACorner)
+{
+  RandomStream random(3);
+  const Polygon panel{ { -0.3, -0.3, 1.0 }, { -0.3, 0.3, 1.0 }, { 0.3, 0.3, 1.0 },
+    { 0.3, -0.3, 1.0 } };
+  const LampSurface lamp({ panel });
+  int cuts = 0;
+  for (int k = 0; k < 900; ++k)
+  {
+    const double top = 1.0 + (k % 3 - 1) * 5e-11;
+    const Vec2 place(1.4 * random.Next() - 0.7, 1.4 * random.Next() - 0.7);
+    const std::vector<Polygon> faces =
+      k % 2 == 0 ? InTriangles(Box(Vec3(place - 0.1, 0.2), Vec3(place + 0.2, top)))
+                 : Ball(Vec3(place, top - 0.3), 0.3, 4);
+    LampCutter cutter(lamp);
+    const std::uint32_t body = cutter.Occluders().AddBody(BodyOf(faces)).value();
+    for (int i = 0; i < 10; ++i)
+    {
+      const Vec3 x(RandomVector(random).x, RandomVector(random).y, 0.0);
+      LampCutter::Shadows shadows;
+      const auto seen = cutter.Seen(x, { { body } }, shadows);
+      ASSERT_TRUE(seen);
+      ASSERT_NEAR(*seen, SeenPast({ panel }, faces, x), 1e-9) << k << ", " << i; // what touches
+      cuts += shadows.Any() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(cuts, 1000);
+}
+
 /// The same of a globe: bodies before, behind and beside it. Those that may touch it are refused.
 TEST(ShadowCones, ABodyHidesOfAGlobeWhatItsFacesHide)
 {
