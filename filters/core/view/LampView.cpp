@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace vantage
@@ -52,13 +51,6 @@ std::pair<Vec2, Vec2> Around(const LampSpot* first, const LampSpot* last)
   return { low, high };
 }
 
-Bounds BoundsOf(const ConvexRegion& region)
-{
-  Bounds bounds(region.low);
-  bounds.Add(region.high);
-  return bounds;
-}
-
 } // namespace
 
 LampView::LampView(const OccluderScene& occluders, std::uint32_t facet, const PatchFrame& frame,
@@ -92,8 +84,8 @@ DirectCounters LampView::Look(
     return {};
   }
   Group all{ first, last, {} };
-  const Search search = this->SearchAround(all, tolerance);
-  for (std::uint32_t k = 0; k < search.obstacles.size(); ++k)
+  const Search search{ this->ObstaclesOf(all), tolerance };
+  for (std::uint32_t k = 0; k < search.obstacles.Size(); ++k)
   {
     all.suspects.push_back({ k });
   }
@@ -124,18 +116,6 @@ Polygon LampView::ToWorld(const Polygon& local) const
   return world;
 }
 
-/// The part of a facet that is in front of both the patch and a flat lamp. Local; may be empty.
-Polygon LampView::Between(std::uint32_t facet) const
-{
-  Polygon local;
-  for (const Vec3& v : this->Occluders->Shape(facet))
-  {
-    local.Add(this->Frame->ToLocal(v) / this->Unit);
-  }
-  const Polygon above = ClipToFront(local, Plane(), Touching);
-  return this->Front ? ClipToFront(above, *this->Front, Touching) : above;
-}
-
 /// What holds all ways from a polygon of the patch to the lamp.
 std::optional<ConvexRegion> LampView::ShaftFrom(const Polygon& ground) const
 {
@@ -164,117 +144,11 @@ std::vector<std::uint32_t> LampView::FacetsFrom(const Polygon& ground) const
   return this->Occluders->FacetsInBox(box.Low(), box.High());
 }
 
-LampView::Search LampView::SearchAround(const Group& all, double tolerance) const
+LampObstacles LampView::ObstaclesOf(const Group& all) const
 {
-  Search search{ {}, {}, LampCutter(this->Lamp), tolerance };
   const Polygon bounds = this->Bounds(all);
-  if (bounds.Empty())
-  {
-    return search;
-  }
-  std::map<std::uint32_t, bool> isBodyKnown; // and whether it casts its shadow as one
-  const auto isOfBody = [&](PatchId inside)
-  {
-    const std::uint32_t body = this->Occluders->BodyAround(inside);
-    if (body == None)
-    {
-      return false;
-    }
-    const auto [known, isNew] = isBodyKnown.try_emplace(body, false);
-    if (isNew)
-    {
-      known->second = this->AddBody(body, search);
-    }
-    return known->second;
-  };
-  for (const std::uint32_t facet : this->FacetsFrom(this->ToWorld(bounds)))
-  {
-    const bool isOfFront = isOfBody(PatchOf(facet, Side::Front));
-    const bool isOfBack = isOfBody(PatchOf(facet, Side::Back));
-    if (!isOfFront && !isOfBack)
-    {
-      this->AddFacet(facet, search);
-    }
-  }
-  return search;
-}
-
-/// Returns whether all of its facets are seen to. A convex body hides nothing from its own outside,
-/// and nothing of a lamp that is part of it.
-bool LampView::AddBody(std::uint32_t body, Search& search) const
-{
-  const auto facets = this->Occluders->Convex().FacetsOf(body);
-  if (facets.size() == 0)
-  {
-    return false;
-  }
-  const bool isItsOwn = std::any_of(facets.begin(), facets.end(),
-    [this](PatchId side)
-    { return side / 2 == this->Facet || this->Named->IsOfConvexPart(side / 2); });
-  if (isItsOwn)
-  {
-    return true;
-  }
-  if (!search.cutter.Occluders().AddBody(this->LocalBody(body)))
-  {
-    return false;
-  }
-  Obstacle obstacle;
-  obstacle.firstFacet = static_cast<std::uint32_t>(search.facets.size());
-  for (const PatchId side : facets)
-  {
-    search.facets.push_back(side / 2);
-    for (const Vec3& corner : this->Occluders->Shape(side / 2))
-    {
-      obstacle.bounds.Add(corner);
-    }
-  }
-  obstacle.lastFacet = static_cast<std::uint32_t>(search.facets.size());
-  search.obstacles.push_back(obstacle);
-  return true;
-}
-
-void LampView::AddFacet(std::uint32_t facet, Search& search) const
-{
-  const Polygon between = this->Between(facet);
-  if (facet == this->Facet || this->Named->IsOfConvexPart(facet) || between.Empty() ||
-      this->Lamp.IsInFrontOf(between))
-  {
-    return;
-  }
-  const auto inside = this->Occluders->InsideOf(facet);
-  search.cutter.Occluders().AddPlate(between, inside ? std::optional(inside->side) : std::nullopt);
-  const auto first = static_cast<std::uint32_t>(search.facets.size());
-  search.facets.push_back(facet);
-  search.obstacles.push_back({ first, first + 1, inside, {} });
-}
-
-ConvexBody LampView::LocalBody(std::uint32_t body) const
-{
-  const ConvexBodies& bodies = this->Occluders->Convex();
-  std::vector<Polygon> shapes;
-  ConvexBody local;
-  for (const PatchId facet : bodies.FacetsOf(body))
-  {
-    Polygon& shape = shapes.emplace_back();
-    for (const Vec3& v : ShapeOf(*this->Occluders, facet))
-    {
-      shape.Add(this->Frame->ToLocal(v) / this->Unit);
-      local.corners.push_back(shape[shape.Size() - 1]);
-    }
-  }
-  for (const std::uint32_t facet : bodies.SidesOf(body))
-  {
-    local.planes.push_back(SupportingPlane(shapes[facet]));
-  }
-  for (const ConvexBodies::Edge& edge : bodies.EdgesOf(body))
-  {
-    const Polygon& shape = shapes[edge.facet];
-    const int corner = static_cast<int>(edge.corner);
-    local.edges.push_back(
-      { shape[corner], shape[(corner + 1) % shape.Size()], edge.first, edge.second });
-  }
-  return local;
+  return { this->Place(),
+    bounds.Empty() ? std::vector<std::uint32_t>() : this->FacetsFrom(this->ToWorld(bounds)) };
 }
 
 /// Leaves the occluders that reach into what is between the spots and the lamp. Returns false when
@@ -299,28 +173,13 @@ bool LampView::Narrow(Group& group, const Search& search) const
   if (const auto shaft = this->ShaftFrom(ground))
   {
     const auto isElsewhere = [&](const LampCutter::Suspect& suspect)
-    { return this->IsElsewhere(search.obstacles[suspect.occluder], search, *shaft); };
+    { return search.obstacles.IsElsewhere(suspect.occluder, *shaft); };
     group.suspects.erase(std::remove_if(group.suspects.begin(), group.suspects.end(), isElsewhere),
       group.suspects.end());
   }
   return std::none_of(group.suspects.begin(), group.suspects.end(),
     [&](const LampCutter::Suspect& suspect)
-    { return search.cutter.Occluders().HidesAll(suspect.occluder, bounds); });
-}
-
-bool LampView::IsElsewhere(
-  const Obstacle& obstacle, const Search& search, const ConvexRegion& shaft) const
-{
-  const auto first = search.facets.begin() + obstacle.firstFacet;
-  const auto last = search.facets.begin() + obstacle.lastFacet;
-  const bool isBody = last - first > 1;
-  if (isBody && !obstacle.bounds.Meets(BoundsOf(shaft)))
-  {
-    return true;
-  }
-  return std::none_of(first, last,
-    [&](std::uint32_t facet)
-    { return ReachesInto(this->Occluders->Shape(facet), shaft, this->Occluders->Tolerance()); });
+    { return search.obstacles.Cutter().Occluders().HidesAll(suspect.occluder, bounds); });
 }
 
 /// Finds out which bodies are elsewhere.
@@ -333,8 +192,8 @@ void LampView::LookForBodies(Group& group, const Search& search, const Polygon& 
   }
   for (LampCutter::Suspect& suspect : group.suspects)
   {
-    const auto& inside = search.obstacles[suspect.occluder].inside;
-    suspect.isSeenFromOutside = suspect.isSeenFromOutside || (inside && !inside->body.Meets(box));
+    suspect.isSeenFromOutside =
+      suspect.isSeenFromOutside || search.obstacles.IsSeenFromOutside(suspect.occluder, box);
   }
 }
 
@@ -421,9 +280,8 @@ bool LampView::LookSmoothly(
   // What a lamp hides of itself changes as slowly as it turns.
   const auto isSharp = [&](const LampCutter::Suspect& suspect)
   {
-    const std::uint32_t facet = search.facets[search.obstacles[suspect.occluder].firstFacet];
-    return !this->Named->IsOfWhole(facet) &&
-           search.cutter.Occluders().IsSharp(suspect.occluder, bounds);
+    return !search.obstacles.IsOfLamp(suspect.occluder) &&
+           search.obstacles.Cutter().Occluders().IsSharp(suspect.occluder, bounds);
   };
   if (std::any_of(group.suspects.begin(), group.suspects.end(), isSharp))
   {
@@ -462,8 +320,9 @@ double LampView::SeenFrom(const Vec2& place, const Group& group, const Search& s
   {
     return 0.0;
   }
-  const auto seen =
-    shadows.AreTooMany() ? std::nullopt : search.cutter.Seen(local, group.suspects, shadows);
+  const auto seen = shadows.AreTooMany()
+                      ? std::nullopt
+                      : search.obstacles.Cutter().Seen(local, group.suspects, shadows);
   const double factor = seen ? *seen : this->SeenByRays(place, counters);
   counters.lampEvaluations += factor > 0.0 ? 1 : 0;
   counters.cutEvaluations += shadows.Any() ? 1 : 0;

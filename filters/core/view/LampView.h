@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/mesh/Bounds.h"
 #include "core/view/DirectLight.h"
-#include "core/view/LampCutter.h"
+#include "core/view/LampObstacles.h"
 #include "core/view/LampSurface.h"
 #include "core/view/NamedLamps.h"
 #include "core/view/PatchFrame.h"
@@ -37,19 +36,10 @@ public:
   DirectCounters Look(LampSpot* first, LampSpot* last, double tolerance, double* factors) const;
 
 private:
-  /// What an occluder of a cutter is made of: a facet, or those of a convex body.
-  struct Obstacle
-  {
-    std::uint32_t firstFacet, lastFacet;
-    std::optional<OccluderScene::Inside> inside; ///< of a facet
-    vantage::Bounds bounds;                      ///< of a body
-  };
   /// All that may stand between the lamp and some points.
   struct Search
   {
-    std::vector<Obstacle> obstacles;   ///< each occluder in the cutter
-    std::vector<std::uint32_t> facets; ///< of these
-    LampCutter cutter;
+    LampObstacles obstacles;
     double tolerance;
   };
   /// Spots, and those occluders of a search that may be in the way.
@@ -60,12 +50,12 @@ private:
     std::vector<LampCutter::Suspect> suspects;
   };
 
-  Search SearchAround(const Group& all, double tolerance) const;
+  LampOverPatch Place() const
+  {
+    return { this->Occluders, this->Facet, this->Frame, this->Named, this->Unit, &this->Lamp };
+  }
+  LampObstacles ObstaclesOf(const Group& all) const;
   std::vector<std::uint32_t> FacetsFrom(const Polygon& ground) const;
-  bool AddBody(std::uint32_t body, Search& search) const;
-  void AddFacet(std::uint32_t facet, Search& search) const;
-  ConvexBody LocalBody(std::uint32_t body) const;
-  bool IsElsewhere(const Obstacle& obstacle, const Search& search, const ConvexRegion& shaft) const;
   bool Narrow(Group& group, const Search& search) const;
   void LookForBodies(Group& group, const Search& search, const Polygon& ground) const;
   DirectCounters Look(Group group, const Search& search, double* factors) const;
@@ -81,7 +71,6 @@ private:
   double SeenByRays(const Vec2& place, DirectCounters& counters) const;
   std::optional<ConvexRegion> ShaftFrom(const Polygon& ground) const;
   Polygon Bounds(const Group& group) const;
-  Polygon Between(std::uint32_t facet) const;
   Polygon ToWorld(const Polygon& local) const;
 
   const OccluderScene* Occluders;
