@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/Polygon.h"
 #include "core/scene/Scene.h"
 
 #include <array>
@@ -70,6 +71,18 @@ inline std::vector<Vec3> CornersOf(const Scene& scene, std::size_t p)
     points.push_back(scene.vertices[scene.indices[i]]);
   }
   return points;
+}
+
+/// All of its polygons, of 16 corners at most.
+inline std::vector<Polygon> FacesOf(const Scene& scene)
+{
+  std::vector<Polygon> faces;
+  for (std::size_t p = 0; p < scene.PolygonCount(); ++p)
+  {
+    const std::vector<Vec3> corners = CornersOf(scene, p);
+    faces.emplace_back(PolygonView(corners.data(), static_cast<int>(corners.size())));
+  }
+  return faces;
 }
 
 /// The same scene with every quadrilateral cut into n x n pieces, or these into two triangles each.

@@ -23,16 +23,7 @@ std::vector<Polygon> Ball(const Vec3& centre, double radius, int rings)
   Scene scene;
   scene.materials.resize(1);
   test::AddBall(scene, centre, radius, rings, 0);
-  std::vector<Polygon> faces;
-  for (std::size_t p = 0; p < scene.PolygonCount(); ++p)
-  {
-    Polygon& face = faces.emplace_back();
-    for (const Vec3& corner : test::CornersOf(scene, p))
-    {
-      face.Add(corner);
-    }
-  }
-  return faces;
+  return test::FacesOf(scene);
 }
 
 Vec3 RandomVector(RandomStream& random)

@@ -17,32 +17,18 @@ namespace
 
 const Vec3 Up(0.0, 0.0, 1.0);
 
-std::vector<Polygon> FacesOf(const Scene& scene)
-{
-  std::vector<Polygon> faces;
-  for (std::size_t p = 0; p < scene.PolygonCount(); ++p)
-  {
-    Polygon& face = faces.emplace_back();
-    for (const Vec3& corner : test::CornersOf(scene, p))
-    {
-      face.Add(corner);
-    }
-  }
-  return faces;
-}
-
 std::vector<Polygon> Ball(const Vec3& centre, double radius, int rings)
 {
   Scene scene;
   test::AddBall(scene, centre, radius, rings, 0);
-  return FacesOf(scene);
+  return test::FacesOf(scene);
 }
 
 std::vector<Polygon> Box(const Vec3& low, const Vec3& high)
 {
   Scene scene;
   test::AddBox(scene, low, high, false, { 0, 0, 0, 0, 0, 0 });
-  return FacesOf(scene);
+  return test::FacesOf(scene);
 }
 
 ConvexBody BodyOf(const std::vector<Polygon>& faces)
