@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/DarkSides.h"
+#include "core/mesh/PackedLists.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,15 +26,7 @@ public:
     std::uint32_t corner;
   };
   template <typename Entry>
-  struct List
-  {
-    const Entry* first;
-    const Entry* last;
-
-    const Entry* begin() const { return this->first; }
-    const Entry* end() const { return this->last; }
-    std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
-  };
+  using List = typename PackedLists<Entry>::List;
 
   ConvexBodies() = default;
   /// Corners may stand out by `LargestDent`, and facets that are no more out of one plane are one

@@ -24,6 +24,7 @@ public:
 
     const Entry* begin() const { return this->first; }
     const Entry* end() const { return this->last; }
+    std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
   };
 
   /// `forEach` calls what it is given with each key and entry, twice in the same order. O(keys +

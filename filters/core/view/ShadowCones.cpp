@@ -68,6 +68,22 @@ ShadowCones::Cover ShadowCones::CoverOf(bool anyInside, bool anyOutside)
   return anyInside ? (anyOutside ? Cover::Part : Cover::Whole) : Cover::None;
 }
 
+/// Of corners whose heights over a plane are asked for in turn.
+template <typename HeightOf>
+ShadowCones::Cover ShadowCones::CoverOfHeights(
+  const std::vector<Vec3>& corners, const HeightOf& heightOf)
+{
+  bool anyInside = false;
+  bool anyOutside = false;
+  for (const Vec3& corner : corners)
+  {
+    const double height = heightOf(corner);
+    anyInside = anyInside || height > 0.0;
+    anyOutside = anyOutside || height < 0.0;
+  }
+  return CoverOf(anyInside, anyOutside);
+}
+
 ShadowCones::Affine ShadowCones::DistanceFrom(const Plane& plane)
 {
   return { -plane.offset, plane.normal.x, plane.normal.y };
@@ -95,15 +111,7 @@ LampSurface::HalfSpace ShadowCones::SideBehind(const Edge& edge, double sign, co
 /// How much of the hull is inside of a side.
 ShadowCones::Cover ShadowCones::HullBehind(const HalfSpace& side) const
 {
-  bool anyInside = false;
-  bool anyOutside = false;
-  for (const Vec3& corner : this->Hull)
-  {
-    const double d = side.Height(corner);
-    anyInside = anyInside || d > 0.0;
-    anyOutside = anyOutside || d < 0.0;
-  }
-  return CoverOf(anyInside, anyOutside);
+  return CoverOfHeights(this->Hull, [&side](const Vec3& corner) { return side.Height(corner); });
 }
 
 /// How much of the lamp itself is.
@@ -114,15 +122,22 @@ ShadowCones::Cover ShadowCones::LampBehind(const HalfSpace& side) const
   {
     return ofHull;
   }
-  bool anyInside = false;
-  bool anyOutside = false;
-  for (const Vec3& corner : this->Lamp->Corners())
+  return CoverOfHeights(
+    this->Lamp->Corners(), [&side](const Vec3& corner) { return side.Height(corner); });
+}
+
+/// Whether an edge hides none of the lamp from some points, and all of it from others.
+bool ShadowCones::PassesBetween(const Edge& edge, double sign, const Polygon& points) const
+{
+  bool anyNone = false;
+  bool anyWhole = false;
+  for (const Vec3& x : points)
   {
-    const double d = side.Height(corner);
-    anyInside = anyInside || d > 0.0;
-    anyOutside = anyOutside || d < 0.0;
+    const Cover cover = this->LampBehind(SideBehind(edge, sign, x));
+    anyNone = anyNone || cover == Cover::None;
+    anyWhole = anyWhole || cover == Cover::Whole;
   }
-  return CoverOf(anyInside, anyOutside);
+  return anyNone && anyWhole;
 }
 
 bool ShadowCones::HidesAll(std::uint32_t index, const Polygon& points) const
@@ -214,15 +229,7 @@ std::array<ShadowCones::Cover, 2> ShadowCones::LampBeyond(const Plane& plane) co
 ShadowCones::Cover ShadowCones::HullBehindEdge(std::uint32_t edge, double sign, const Vec2& x) const
 {
   const Affine* height = &this->HullHeights[edge * this->Hull.size()];
-  bool anyInside = false;
-  bool anyOutside = false;
-  for (std::size_t k = 0; k < this->Hull.size(); ++k)
-  {
-    const double d = sign * height[k].At(x);
-    anyInside = anyInside || d > 0.0;
-    anyOutside = anyOutside || d < 0.0;
-  }
-  return CoverOf(anyInside, anyOutside);
+  return CoverOfHeights(this->Hull, [&](const Vec3&) { return sign * (height++)->At(x); });
 }
 
 bool ShadowCones::HidesAllFrom(const Plate& plate, const Vec2& x) const
@@ -258,22 +265,9 @@ bool ShadowCones::IsSharp(const Plate& plate, const Polygon& points) const
   {
     return true;
   }
-  for (std::uint32_t e = plate.firstEdge; e < plate.lastEdge; ++e)
-  {
-    bool anyNone = false;
-    bool anyWhole = false;
-    for (const Vec3& x : points)
-    {
-      const Cover cover = this->LampBehind(SideBehind(this->PlateEdges[e], side, x));
-      anyNone = anyNone || cover == Cover::None;
-      anyWhole = anyWhole || cover == Cover::Whole;
-    }
-    if (anyNone && anyWhole)
-    {
-      return true;
-    }
-  }
-  return false;
+  const auto first = this->PlateEdges.begin();
+  return std::any_of(first + plate.firstEdge, first + plate.lastEdge,
+    [&](const Edge& edge) { return this->PassesBetween(edge, side, points); });
 }
 
 bool ShadowCones::IsCone(std::uint32_t index) const
@@ -474,18 +468,6 @@ ShadowCones::Cover ShadowCones::Cast(
 bool ShadowCones::IsSharp(const Body& body, const Polygon& points) const
 {
   std::vector<bool> isAsked(body.edges.size(), false);
-  const auto isSharp = [&](std::size_t edge, double sign)
-  {
-    bool anyNone = false;
-    bool anyWhole = false;
-    for (const Vec3& x : points)
-    {
-      const Cover cover = this->LampBehind(SideBehind(body.edges[edge].line, sign, x));
-      anyNone = anyNone || cover == Cover::None;
-      anyWhole = anyWhole || cover == Cover::Whole;
-    }
-    return anyNone && anyWhole;
-  };
   int outside = 0;
   bool anySharp = false;
   for (const Vec3& x : points)
@@ -493,7 +475,8 @@ bool ShadowCones::IsSharp(const Body& body, const Polygon& points) const
     const bool isOutside = ForEachOutlineEdge(body, x,
       [&](std::size_t edge, double sign)
       {
-        anySharp = anySharp || (!isAsked[edge] && isSharp(edge, sign));
+        anySharp =
+          anySharp || (!isAsked[edge] && this->PassesBetween(body.edges[edge].line, sign, points));
         isAsked[edge] = true;
         return !anySharp;
       });

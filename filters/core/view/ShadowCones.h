@@ -120,11 +120,14 @@ private:
 
   void FindHull();
   static Cover CoverOf(bool anyInside, bool anyOutside);
+  template <typename HeightOf>
+  static Cover CoverOfHeights(const std::vector<Vec3>& corners, const HeightOf& heightOf);
   static Affine DistanceFrom(const Plane& plane);
   static Edge EdgeBetween(const Vec3& from, const Vec3& to);
   static HalfSpace SideBehind(const Edge& edge, double sign, const Vec2& x);
   Cover HullBehind(const HalfSpace& side) const;
   Cover LampBehind(const HalfSpace& side) const;
+  bool PassesBetween(const Edge& edge, double sign, const Polygon& points) const;
 
   std::array<Cover, 2> LampBeyond(const Plane& plane) const;
   Cover HullBehindEdge(std::uint32_t edge, double sign, const Vec2& x) const;
