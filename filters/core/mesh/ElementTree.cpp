@@ -131,6 +131,11 @@ ElementTree::ElementTree(const FacetSet& facets, const std::vector<bool>& isActi
   }
 }
 
+std::array<Polygon, 4> Quarters(const Polygon& p)
+{
+  return p.Size() == 3 ? QuarterTriangle(p) : QuarterQuadrilateral(p);
+}
+
 NodeId ElementTree::Split(NodeId id)
 {
   assert(!this->Nodes[id].IsCluster());
@@ -139,8 +144,7 @@ NodeId ElementTree::Split(NodeId id)
     return this->Nodes[id].firstChild;
   }
   const Polygon shape = this->Shape(id);
-  const std::array<Polygon, 4> quarters =
-    shape.Size() == 3 ? QuarterTriangle(shape) : QuarterQuadrilateral(shape);
+  const std::array<Polygon, 4> quarters = Quarters(shape);
   Node child;
   child.parent = id;
   child.patch = this->Nodes[id].patch;

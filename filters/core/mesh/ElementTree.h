@@ -74,6 +74,10 @@ struct Node
   void SetShape(PolygonView shape);
 };
 
+/// A quadrilateral gives four quadrilaterals around the mean of its corners, a triangle three at
+/// its corners and one in the middle. Corner i of quarter i is corner i of the whole.
+std::array<Polygon, 4> Quarters(const Polygon& shape);
+
 /// A parent always has a smaller id than its children, so that sums up and down the tree are two
 /// linear loops. Nodes are never removed and never change: elements are only ever added.
 class ElementTree
@@ -99,10 +103,8 @@ public:
   /// \pre it has one
   Polygon Shape(NodeId id) const { return this->Nodes[id].Shape(); }
 
-  /// Makes the four children of a patch or element, if it has none yet: a quadrilateral gives four
-  /// quadrilaterals around the mean of its corners, a triangle three at its corners and one in the
-  /// middle. Corner i of child i is corner i of the parent. Returns the first child's id.
-  /// References to nodes are invalid afterwards. \pre not a cluster
+  /// Makes the four children of a patch or element, its Quarters(), if it has none yet. Returns the
+  /// first child's id. References to nodes are invalid afterwards. \pre not a cluster
   NodeId Split(NodeId id);
 
   /// The child of a split patch or element that holds the point. A point outside goes where the

@@ -1,5 +1,7 @@
 #include "core/view/HemisphereGather.h"
 
+#include "core/math/ScrambledSobol.h"
+
 namespace vantage
 {
 
@@ -11,27 +13,104 @@ namespace
 /// Sobol sequence complete each other.
 constexpr double NoiseOfWhole = 0.8;
 
+/// Of ray `index` out of `count`, in an estimate by the first half of them alone.
+double InHalf(double weight, std::uint32_t index, std::uint32_t count)
+{
+  const std::uint32_t half = count / 2;
+  return index < half ? weight * count / half : 0.0;
+}
+
 } // namespace
 
-HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
-  PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed)
+HemisphereRays::HemisphereRays(const OccluderScene& occluders, const LitSurfaces& surfaces,
+  PatchId patch, const Vec3& point, LitBy litBy, std::uint32_t rays, std::uint64_t seed)
+  : Occluders(&occluders)
+  , Surfaces(&surfaces)
+  , Patch(patch)
+  , Point(point)
+  , Axes(NormalOf(occluders, patch))
+  , By(litBy)
+  , Seed(seed)
+  , Spots(surfaces.Spots(), point, this->Axes.z)
+  , ToSpots(this->Spots.PartOf(rays))
+  , Around(rays - this->ToSpots)
 {
-  const std::uint32_t half = rays / 2;
-  Color sum(0.0);
-  Color sumOfHalf(0.0);
+}
+
+std::optional<SeenLight> HemisphereRays::Cast(std::uint32_t ray, std::uint64_t& shadowRays) const
+{
+  return ray < this->Around ? this->CastAround(ray, shadowRays)
+                            : this->CastToSpot(ray - this->Around, shadowRays);
+}
+
+std::optional<SeenLight> HemisphereRays::CastAround(
+  std::uint32_t index, std::uint64_t& shadowRays) const
+{
+  const Vec3 direction = this->Axes.ToWorld(CosineHemisphere(ScrambledSobol(index, this->Seed)));
+  const auto hit = this->Occluders->Intersect(this->Point, direction, this->Patch / 2);
+  if (!hit)
+  {
+    return {};
+  }
+  const LitRadiance radiance =
+    this->Surfaces->Radiance(*hit, this->By, index, Hash(this->Seed, 1), shadowRays);
+  const double weight = this->WeightOf(radiance, hit->point);
+  return SeenLight{ radiance, weight, InHalf(weight, index, this->Around) };
+}
+
+std::optional<SeenLight> HemisphereRays::CastToSpot(
+  std::uint32_t index, std::uint64_t& shadowRays) const
+{
+  const SpotDirections::Target target =
+    this->Spots.Draw(ScrambledSobol(index, Hash(this->Seed, 2)));
+  const auto hit =
+    this->Occluders->Intersect(this->Point, target.place - this->Point, this->Patch / 2);
+  if (!hit)
+  {
+    return {};
+  }
+  const LitRadiance radiance =
+    this->Surfaces->Radiance(*hit, this->By, index, Hash(this->Seed, 3), shadowRays);
+  if (radiance.texel != target.texel)
+  {
+    return {};
+  }
+  const double weight = this->WeightOf(radiance, hit->point);
+  return SeenLight{ radiance, weight, InHalf(weight, index, this->ToSpots) };
+}
+
+/// Cosine over the density of the direction, over all rays of either kind.
+double HemisphereRays::WeightOf(const LitRadiance& radiance, const Vec3& place) const
+{
+  if (this->ToSpots == 0)
+  {
+    return Pi / this->Around;
+  }
+  const Vec3 way = place - this->Point;
+  const double cosine = glm::dot(this->Axes.z, way) / glm::length(way);
+  const double density =
+    this->Around * cosine / Pi +
+    this->ToSpots * this->Spots.Density(radiance.texel, radiance.within, place);
+  return cosine > 0.0 ? cosine / density : 0.0;
+}
+
+HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
+  PatchId patch, const Vec3& point, std::uint32_t rays, std::uint64_t seed)
+{
+  const HemisphereRays all(occluders, surfaces, patch, point, LitBy::Texels, rays, seed);
   HemisphereEstimate estimate;
-  estimate.shadowRays = ForEachSeen(occluders, surfaces, patch, point, normal, rays, seed,
-    [&](std::uint32_t index, const LitRadiance& radiance)
+  Color byHalf(0.0);
+  for (std::uint32_t ray = 0; ray < rays; ++ray)
+  {
+    if (const auto seen = all.Cast(ray, estimate.shadowRays))
     {
-      const Color all = radiance.direct + radiance.indirect;
-      sum += all;
-      sumOfHalf += index < half ? all : Color(0.0);
-    });
-  estimate.irradiance = sum * (Pi / rays);
+      const Color radiance = seen->radiance.direct + seen->radiance.indirect;
+      estimate.irradiance += seen->weight * radiance;
+      byHalf += seen->weightInHalf * radiance;
+    }
+  }
   // Half the difference of the halves is the difference between one of them and the whole.
-  estimate.noise = half > 0
-                     ? NoiseOfWhole * Mean(glm::abs(sumOfHalf * (Pi / half) - estimate.irradiance))
-                     : Mean(estimate.irradiance);
+  estimate.noise = NoiseOfWhole * Mean(glm::abs(byHalf - estimate.irradiance));
   return estimate;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "core/math/ScrambledSobol.h"
+#include "core/math/Sampling.h"
+#include "core/view/BrightSpots.h"
 #include "core/view/LitSurfaces.h"
 
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 /// \file HemisphereGather.h
 /// Indirect light at a point, by rays.
@@ -12,25 +13,53 @@
 namespace vantage
 {
 
-/// Calls visit(index, LitRadiance) for each of `rays` directions of a scrambled Sobol sequence,
-/// distributed by the cosine, that meets something. Returns the shadow rays that it took.
-template <typename Visit>
-std::uint64_t ForEachSeen(const OccluderScene& occluders, const LitSurfaces& surfaces,
-  PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed,
-  const Visit& visit)
+/// What a ray has met.
+struct SeenLight
 {
-  const Frame frame(normal);
-  std::uint64_t shadowRays = 0;
-  for (std::uint32_t i = 0; i < rays; ++i)
-  {
-    const Vec3 direction = frame.ToWorld(CosineHemisphere(ScrambledSobol(i, seed)));
-    if (const auto hit = occluders.Intersect(point, direction, patch / 2))
-    {
-      visit(i, surfaces.Radiance(*hit, i, Hash(seed, 1), shadowRays));
-    }
-  }
-  return shadowRays;
-}
+  LitRadiance radiance;
+  double weight; ///< of it in the irradiance, sr
+  /// The same in an estimate by the first half of the rays alone.
+  double weightInHalf;
+};
+
+/// Rays from a point of a surface into the hemisphere above. The sum of weight times radiance over
+/// all of them is the irradiance from all that reflects light there, without bias. What they meet
+/// does not emit here, since lamps are counted one by one.
+///
+/// Most or all of them are distributed by the cosine, and some drawn by bright spots, where these
+/// are worth it; either kind comes from a scrambled Sobol sequence, and both are combined by the
+/// balance heuristic (Veach, Guibas 1995). Of rays to spots only those count that meet what they
+/// were drawn for: so there is one way to draw what one of them brings, besides by the cosine.
+///
+/// Refers to occluders and surfaces, which must outlive it.
+class HemisphereRays
+{
+public:
+  /// \param patch that the point lies on, active
+  /// \param rays >= 1; a power of two is spread best
+  HemisphereRays(const OccluderScene& occluders, const LitSurfaces& surfaces, PatchId patch,
+    const Vec3& point, LitBy litBy, std::uint32_t rays, std::uint64_t seed);
+
+  /// Nothing, if the ray meets nothing or does not count; an inactive side is black. Adds to
+  /// `shadowRays` what it traces. \param ray below their number
+  std::optional<SeenLight> Cast(std::uint32_t ray, std::uint64_t& shadowRays) const;
+
+private:
+  std::optional<SeenLight> CastAround(std::uint32_t index, std::uint64_t& shadowRays) const;
+  std::optional<SeenLight> CastToSpot(std::uint32_t index, std::uint64_t& shadowRays) const;
+  double WeightOf(const LitRadiance& radiance, const Vec3& place) const;
+
+  const OccluderScene* Occluders;
+  const LitSurfaces* Surfaces;
+  PatchId Patch;
+  Vec3 Point;
+  Frame Axes;
+  LitBy By;
+  std::uint64_t Seed;
+  SpotDirections Spots;
+  std::uint32_t ToSpots; ///< how many rays
+  std::uint32_t Around;
+};
 
 struct HemisphereEstimate
 {
@@ -39,16 +68,10 @@ struct HemisphereEstimate
   std::uint64_t shadowRays = 0;
 };
 
-/// Irradiance at a point from the reflected radiance of all that it sees (LitSurfaces.h). What the
-/// rays hit does not emit here, since lamps are counted one by one. A ray that meets nothing or an
-/// inactive side brings nothing. The two halves of the sequence are good estimates by themselves;
-/// the noise is guessed from their difference, so it means something only in the mean over many
-/// points. Unbiased over the seeds. O(rays log n).
-///
-/// \param patch that the point lies on, active
-/// \param normal of the patch, unit
-/// \param rays >= 1; a power of two is spread best
+/// Irradiance at a point by so many HemisphereRays, lit by texels where there are any. The two
+/// halves of a sequence are good estimates by themselves; the noise is guessed from their
+/// difference, so it means something only in the mean over many points. O(rays log n).
 HemisphereEstimate GatherHemisphere(const OccluderScene& occluders, const LitSurfaces& surfaces,
-  PatchId patch, const Vec3& point, const Vec3& normal, std::uint32_t rays, std::uint64_t seed);
+  PatchId patch, const Vec3& point, std::uint32_t rays, std::uint64_t seed);
 
 } // namespace vantage

@@ -44,6 +44,8 @@ constexpr std::uint32_t MostBatches = 4;
 /// of which a ray has this much relative to the light.
 constexpr double PartThatIsLit = 0.2;
 constexpr double NoiseOfLitRay = 0.4;
+/// Spots from which it is seen how much of a bright texel is hidden.
+constexpr std::uint32_t OriginsToKnow = 128;
 /// Part of the error that may come from the interpolation: to start with, and in the end, if the
 /// estimate of the whole is not met before.
 constexpr double ShareOfModel = 0.4;
@@ -87,8 +89,8 @@ public:
 
   std::vector<Color> Run(IndirectReport& report)
   {
-    this->LookAround(report);
     this->LightTheMet(report);
+    this->LookAround(report);
     for (int round = 0; round <= MostRounds; ++round)
     {
       this->Measure(report);
@@ -126,6 +128,7 @@ private:
 
   std::vector<Hit> MeetAround(
     std::uint32_t count, std::uint32_t batch, IndirectReport& report) const;
+  RayOrigins OriginsOf(double rays) const;
   void LookAround(IndirectReport& report);
   void LightTheMet(IndirectReport& report);
   void Measure(IndirectReport& report);
@@ -194,6 +197,38 @@ std::vector<Hit> IndirectGatherer::MeetAround(
   return hits;
 }
 
+/// Where so many rays start, about.
+RayOrigins IndirectGatherer::OriginsOf(double rays) const
+{
+  RayOrigins origins;
+  origins.rays = rays;
+  for (const std::uint32_t i : DrawSpots(*this->Spots, OriginsToKnow))
+  {
+    const IndirectSpot& spot = (*this->Spots)[i];
+    origins.places.push_back({ spot.point, NormalOf(*this->Occluders, spot.patch) });
+  }
+  return origins;
+}
+
+/// Lights a sample of what rays will meet for all of them. A few rays are better off alone.
+void IndirectGatherer::LightTheMet(IndirectReport& report)
+{
+  double rays = 0.0;
+  for (const IndirectSurface& surface : this->Surfaces)
+  {
+    rays += static_cast<double>(surface.Cells().size()) * this->Rays;
+  }
+  const double quiet = std::pow(NoiseOfLitRay / this->Settings.error, 2);
+  const double wanted =
+    std::clamp(std::max(rays * PartThatIsLit, quiet), LeastRaysAround, MostRaysInAll);
+  if (wanted < rays)
+  {
+    const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
+    report.shadowRays +=
+      this->Lit.LightSample(sample, this->OriginsOf(wanted), Hash(this->Settings.seed, 3));
+  }
+}
+
 /// Finds what counts for the spots, by rays from some of them, and betters what is known of that.
 /// More are sent where the first ones say that they are not enough: where light comes through a
 /// slit.
@@ -214,24 +249,6 @@ void IndirectGatherer::LookAround(IndirectReport& report)
   look.Apply(this->Lit);
   report.gatherRays += look.Rays();
   report.shadowRays += look.ShadowRays();
-}
-
-/// Lights a sample of what rays will meet for all of them. A few rays are better off alone.
-void IndirectGatherer::LightTheMet(IndirectReport& report)
-{
-  double rays = 0.0;
-  for (const IndirectSurface& surface : this->Surfaces)
-  {
-    rays += static_cast<double>(surface.Cells().size()) * this->Rays;
-  }
-  const double quiet = std::pow(NoiseOfLitRay / this->Settings.error, 2);
-  const double wanted =
-    std::clamp(std::max(rays * PartThatIsLit, quiet), LeastRaysAround, MostRaysInAll);
-  if (wanted < rays)
-  {
-    const std::vector<Hit> sample = this->MeetAround(static_cast<std::uint32_t>(wanted), 0, report);
-    report.shadowRays += this->Lit.LightSample(sample, Hash(this->Settings.seed, 3));
-  }
 }
 
 /// Gathers at the points of all cells that have not been measured.
@@ -277,9 +294,8 @@ std::uint64_t IndirectGatherer::MeasureAt(IndirectSurface::Cell& cell, std::uint
   // What few pixels see need not be as exact.
   const bool isSmall = cell.weight < SmallCell * this->UsualWeight;
   cell.samples = cell.effort * (isSmall ? this->Rays / 4 : this->Rays);
-  const HemisphereEstimate estimate =
-    GatherHemisphere(*this->Occluders, this->Lit, spot.patch, spot.point,
-      NormalOf(*this->Occluders, spot.patch), cell.samples, Hash(this->Settings.seed, index));
+  const HemisphereEstimate estimate = GatherHemisphere(*this->Occluders, this->Lit, spot.patch,
+    spot.point, cell.samples, Hash(this->Settings.seed, index));
   cell.value = estimate.irradiance;
   cell.noise = estimate.noise;
   return estimate.shadowRays;

@@ -338,6 +338,11 @@ void IndirectSurface::FitAt(std::size_t i)
 
 void IndirectSurface::Fit()
 {
+  if (this->IsFitted)
+  {
+    return;
+  }
+  this->IsFitted = true;
   this->Models.assign(this->Leaves.size(), {});
   this->FeetOfModels.clear();
   for (std::size_t i = 0; i < this->Leaves.size(); ++i)
@@ -377,6 +382,7 @@ std::size_t IndirectSurface::Refine(double limit)
     }
   }
   this->Leaves = std::move(refined);
+  this->IsFitted = this->IsFitted && cuts == 0;
   return cuts;
 }
 
@@ -393,6 +399,7 @@ std::size_t IndirectSurface::Doubt(double relativeNoise, double noise, std::uint
       ++doubtful;
     }
   }
+  this->IsFitted = this->IsFitted && doubtful == 0;
   return doubtful;
 }
 

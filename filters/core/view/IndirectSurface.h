@@ -58,7 +58,8 @@ public:
   const std::vector<Cell>& Cells() const { return this->Leaves; }
   const SurfaceSpot& Spot(std::uint32_t i) const { return this->Spots[i]; }
 
-  /// Fits the models, on all threads of the arena. \pre all cells are measured
+  /// Fits the models, on all threads of the arena, unless no cell is new or measured again.
+  /// \pre all cells are measured
   void Fit();
 
   /// Error that the cell adds beyond its noise, weight times what the model is wrong by, if cutting
@@ -109,6 +110,7 @@ private:
   std::vector<Foot> FeetOfModels;
   std::vector<Cell> Leaves;
   std::vector<Model> Models;
+  bool IsFitted = false;
 };
 
 } // namespace vantage

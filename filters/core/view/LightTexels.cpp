@@ -13,8 +13,8 @@ namespace vantage
 namespace
 {
 
-/// With fewer hits a patch does not pay for the search for what shades it.
-constexpr std::ptrdiff_t LeastHits = 4;
+/// Fewer hits tell little of a patch, as each may be wrong.
+constexpr std::size_t LeastHits = 4;
 /// With more hits a texel is quartered.
 constexpr std::ptrdiff_t MostHits = 8;
 /// Below an element, if hits lie in one place.
@@ -38,7 +38,7 @@ LightTexels::LightTexels(const OccluderScene& occluders, const RadianceSolution&
   for (PatchId patch = 0; patch < this->TreeOfPatch.size(); ++patch)
   {
     const auto met = hits.Of(patch);
-    if (met.end() - met.begin() >= LeastHits)
+    if (met.begin() != met.end())
     {
       this->TreeOfPatch[patch] = static_cast<std::uint32_t>(this->Trees.size());
       this->Trees.emplace_back(PatchCoordinates(ShapeOf(occluders, patch)));
@@ -54,6 +54,11 @@ LightTexels::LightTexels(const OccluderScene& occluders, const RadianceSolution&
       }
       this->Trees[k].Build(solution, solution.elementOfPatch[patches[k]]);
     });
+  std::uint32_t number = 0;
+  for (Tree& tree : this->Trees)
+  {
+    number = tree.NumberTexels(number);
+  }
 }
 
 LightTexels::Place LightTexels::At(
@@ -61,7 +66,20 @@ LightTexels::Place LightTexels::At(
 {
   const std::uint32_t tree = this->TreeOfPatch.empty() ? None : this->TreeOfPatch[patch];
   return tree != None ? this->Trees[tree].At(point)
-                      : Place{ solution.LeafAt(patch, point), nullptr };
+                      : Place{ solution.LeafAt(patch, point), nullptr, None, {} };
+}
+
+std::vector<LightTexels::Texel> LightTexels::All(const OccluderScene& occluders) const
+{
+  std::vector<Texel> texels;
+  for (PatchId patch = 0; patch < this->TreeOfPatch.size(); ++patch)
+  {
+    if (this->TreeOfPatch[patch] != None)
+    {
+      this->Trees[this->TreeOfPatch[patch]].List(patch, ShapeOf(occluders, patch), texels);
+    }
+  }
+  return texels;
 }
 
 void LightTexels::Tree::Add(const Vec3& point, const Color& irradiance)
@@ -72,6 +90,7 @@ void LightTexels::Tree::Add(const Vec3& point, const Color& irradiance)
 void LightTexels::Tree::Build(const RadianceSolution& solution, RadianceSolution::NodeIndex root)
 {
   this->Nodes.assign(1, {});
+  this->IsKnown = this->Samples.size() >= LeastHits;
   Sample* const first = this->Samples.data();
   this->Build(0, solution, root, first, first + this->Samples.size(), 0);
   this->Samples = {};
@@ -85,7 +104,34 @@ LightTexels::Place LightTexels::Tree::At(const Vec3& point) const
   {
     node = &this->Nodes[node->firstChild + ToQuarter(this->Map.IsTriangle(), place)];
   }
-  return { node->leaf, node->isLit ? &node->irradiance : nullptr };
+  return { node->leaf, IrradianceOf(*node), node->texel, place };
+}
+
+/// In the order of the nodes, as List() goes through them.
+std::uint32_t LightTexels::Tree::NumberTexels(std::uint32_t first)
+{
+  for (Node& node : this->Nodes)
+  {
+    node.texel = node.firstChild == None ? first++ : None;
+  }
+  return first;
+}
+
+void LightTexels::Tree::List(PatchId patch, const Polygon& shape, std::vector<Texel>& texels) const
+{
+  std::vector<Polygon> shapes(this->Nodes.size());
+  shapes[0] = shape;
+  for (std::size_t n = 0; n < this->Nodes.size(); ++n)
+  {
+    const Node& node = this->Nodes[n];
+    if (node.firstChild == None)
+    {
+      texels.push_back({ patch, shapes[n], node.leaf, IrradianceOf(node), node.hits });
+      continue;
+    }
+    const std::array<Polygon, 4> quarters = Quarters(shapes[n]);
+    std::copy(quarters.begin(), quarters.end(), shapes.begin() + node.firstChild);
+  }
 }
 
 /// `level` counts from the element that the node lies in.
@@ -94,6 +140,7 @@ void LightTexels::Tree::Build(std::uint32_t node, const RadianceSolution& soluti
 {
   const RadianceSolution::Element& element = solution.elements[id];
   const bool isInLeaf = element.childCount == 0;
+  this->Nodes[node].hits = static_cast<std::uint32_t>(last - first);
   if (isInLeaf)
   {
     this->Nodes[node].leaf = id;
@@ -115,7 +162,7 @@ void LightTexels::Tree::Build(std::uint32_t node, const RadianceSolution& soluti
 
 void LightTexels::Tree::Light(std::uint32_t node, const Sample* first, const Sample* last)
 {
-  if (first == last)
+  if (first == last || !this->IsKnown)
   {
     return;
   }

@@ -105,8 +105,8 @@ LitSurfaces::LitSurfaces(const OccluderScene& occluders, const RadianceSolution&
   }
 }
 
-LitRadiance LitSurfaces::Radiance(
-  const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const
+LitRadiance LitSurfaces::Radiance(const Hit& hit, LitBy by, std::uint32_t index, std::uint64_t seed,
+  std::uint64_t& shadowRays) const
 {
   const RadianceSolution& solution = *this->Solution;
   const PatchId patch = hit.Patch();
@@ -116,18 +116,19 @@ LitRadiance LitSurfaces::Radiance(
   }
   const LightTexels::Place place = this->Texels.At(solution, patch, hit.point);
   const RadianceSolution::NodeIndex leaf = place.leaf;
-  if (place.irradiance)
-  {
-    return { solution.albedo[patch] / Pi * *place.irradiance, this->OfElements[leaf], leaf };
-  }
-  const Color irradiance = this->Irradiance(hit, leaf, index, seed, shadowRays);
-  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf], leaf };
+  const Color irradiance = by == LitBy::Texels && place.irradiance
+                             ? *place.irradiance
+                             : this->Irradiance(hit, leaf, index, seed, shadowRays);
+  return { solution.albedo[patch] / Pi * irradiance, this->OfElements[leaf], leaf, place.texel,
+    place.within };
 }
 
-std::uint64_t LitSurfaces::LightSample(const std::vector<Hit>& sample, std::uint64_t seed)
+std::uint64_t LitSurfaces::LightSample(
+  const std::vector<Hit>& sample, const RayOrigins& origins, std::uint64_t seed)
 {
   std::vector<Color> irradiance(sample.size());
   std::vector<std::uint64_t> shadowRays(sample.size(), 0);
+  std::vector<double> radiance(sample.size());
   tbb::parallel_for(std::size_t(0), sample.size(),
     [&](std::size_t k)
     {
@@ -135,8 +136,14 @@ std::uint64_t LitSurfaces::LightSample(const std::vector<Hit>& sample, std::uint
       const RadianceSolution::NodeIndex leaf = this->Solution->LeafAt(hit.Patch(), hit.point);
       irradiance[k] =
         this->Irradiance(hit, leaf, static_cast<std::uint32_t>(k), seed, shadowRays[k]);
+      radiance[k] =
+        Mean(this->Solution->albedo[hit.Patch()] / Pi * irradiance[k] + this->OfElements[leaf]);
     });
   this->Texels = LightTexels(*this->Occluders, *this->Solution, sample, irradiance);
+  const double usual = std::accumulate(radiance.begin(), radiance.end(), 0.0) /
+                       std::max(1.0, static_cast<double>(sample.size()));
+  this->Bright =
+    BrightSpots(*this->Occluders, *this->Solution, this->Texels, this->OfElements, origins, usual);
   return std::accumulate(shadowRays.begin(), shadowRays.end(), std::uint64_t(0));
 }
 

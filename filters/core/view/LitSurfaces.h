@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/transport/RadianceSolution.h"
+#include "core/view/BrightSpots.h"
 #include "core/view/LightTexels.h"
 #include "core/view/NamedLamps.h"
 #include "core/visibility/OccluderScene.h"
@@ -22,6 +23,15 @@ struct LitRadiance
   Color direct{ 0.0 };                     ///< of light straight from named lamps
   Color indirect{ 0.0 };                   ///< of all other light
   RadianceSolution::NodeIndex leaf = None; ///< the element; None on an inactive side
+  std::uint32_t texel = None;              ///< as LightTexels::Place
+  Vec2 within{ 0.0 };                      ///< the same
+};
+
+/// What tells of the light of lamps.
+enum class LitBy
+{
+  Texels, ///< where there are any
+  ShadowRays
 };
 
 /// Radiance of surfaces without their own emission, at points that rays find. Light of the named
@@ -40,17 +50,19 @@ public:
 
   LitSurfaces(const OccluderScene& occluders, const RadianceSolution& solution);
 
-  /// An estimate: without texels, all of a lamp or nothing, as a point of it is seen that is drawn
+  /// An estimate: by shadow rays, all of a lamp or nothing, as a point of it is seen that is drawn
   /// by what it gives. So there is no noise where a lamp is hidden, or seen, as a whole. Black on
   /// an inactive side. `index` and `seed` name the sample; those of one seed are spread well. Adds
   /// to `shadowRays` what it traces. Pure.
-  LitRadiance Radiance(
-    const Hit& hit, std::uint32_t index, std::uint64_t seed, std::uint64_t& shadowRays) const;
+  LitRadiance Radiance(const Hit& hit, LitBy by, std::uint32_t index, std::uint64_t seed,
+    std::uint64_t& shadowRays) const;
 
   /// Makes texels, for rays that are distributed as the sample is, on active sides. Estimates are
   /// those of Radiance() with the places in the sample as indices. Returns the shadow rays that it
   /// took. Parallel over the sample, the same for any number of threads.
-  std::uint64_t LightSample(const std::vector<Hit>& sample, std::uint64_t seed);
+  /// \param origins of the rays that met the sample; to find bright spots by
+  std::uint64_t LightSample(
+    const std::vector<Hit>& sample, const RayOrigins& origins, std::uint64_t seed);
 
   /// RadianceSolution::Element::indirect of a leaf, or what it was replaced by.
   const Color& Indirect(RadianceSolution::NodeIndex leaf) const { return this->OfElements[leaf]; }
@@ -58,6 +70,9 @@ public:
   {
     this->OfElements[leaf] = radiance;
   }
+
+  /// Among the texels; none before LightSample().
+  const BrightSpots& Spots() const { return this->Bright; }
 
 private:
   struct Face
@@ -117,6 +132,7 @@ private:
   const OccluderScene* Occluders;
   const RadianceSolution* Solution;
   LightTexels Texels;
+  BrightSpots Bright;
   std::vector<Color> OfElements; ///< indirect radiance of each
   NamedLamps Named;
   std::vector<Lamp> Lamps; ///< of each of these

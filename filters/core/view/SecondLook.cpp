@@ -54,7 +54,7 @@ void SecondLook::From(const std::vector<Hit>& hits, const LitSurfaces& surfaces)
   }
   const std::size_t first = this->Looks.size();
   this->Looks.resize(first + hits.size());
-  this->Seen.resize(this->Looks.size() * this->RaysOfHit, None);
+  this->Met.resize(this->Looks.size() * this->RaysOfHit);
   tbb::parallel_for(std::size_t(0), hits.size(),
     [&](std::size_t k) { this->Looks[first + k] = this->From(hits[k], first + k, surfaces); });
 }
@@ -62,22 +62,28 @@ void SecondLook::From(const std::vector<Hit>& hits, const LitSurfaces& surfaces)
 SecondLook::Look SecondLook::From(const Hit& hit, std::uint64_t index, const LitSurfaces& surfaces)
 {
   const PatchId patch = hit.Patch();
-  const Color ofRay = this->Solution->albedo[patch] / static_cast<double>(this->RaysOfHit);
+  const Color albedo = this->Solution->albedo[patch];
   Look look;
-  look.ofRay = ofRay;
+  look.albedo = albedo;
   look.leaf = this->Solution->LeafAt(patch, hit.point);
   const RadianceSolution::Element& element = this->Solution->elements[look.leaf];
-  look.direct = this->Solution->albedo[patch] / Pi * element.unnamedDirect;
+  look.direct = albedo / Pi * element.unnamedDirect;
   look.solution = element.indirect;
-  look.shadowRays = ForEachSeen(*this->Occluders, surfaces, patch, hit.point,
-    NormalOf(*this->Occluders, patch), this->RaysOfHit, Hash(this->Seed, index),
-    [&](std::uint32_t ray, const LitRadiance& radiance)
+  const HemisphereRays rays(*this->Occluders, surfaces, patch, hit.point, LitBy::ShadowRays,
+    this->RaysOfHit, Hash(this->Seed, index));
+  for (std::uint32_t ray = 0; ray < this->RaysOfHit; ++ray)
+  {
+    const auto seen = rays.Cast(ray, look.shadowRays);
+    if (!seen || seen->radiance.leaf == None)
     {
-      const bool isMet = radiance.leaf != None && this->IsMetOften[radiance.leaf];
-      this->Seen[index * this->RaysOfHit + ray] = radiance.leaf;
-      look.direct += ofRay * radiance.direct;
-      (isMet ? look.ofMet : look.fixed) += ofRay * radiance.indirect;
-    });
+      continue;
+    }
+    const double weight = seen->weight / Pi;
+    this->Met[index * this->RaysOfHit + ray] = { seen->radiance.leaf, weight };
+    look.direct += weight * albedo * seen->radiance.direct;
+    const bool isMet = this->IsMetOften[seen->radiance.leaf];
+    (isMet ? look.ofMet : look.fixed) += weight * albedo * seen->radiance.indirect;
+  }
   look.fixed += look.direct;
   return look;
 }
@@ -155,14 +161,15 @@ void SecondLook::Apply(LitSurfaces& surfaces) const
 std::vector<SecondLook::Sum> SecondLook::SumUp(const LitSurfaces& surfaces) const
 {
   std::vector<Sum> sums(this->IsMetOften.size());
-  auto seen = this->Seen.begin();
+  auto met = this->Met.begin();
   for (const Look& look : this->Looks)
   {
-    Color radiance = look.direct;
-    for (const auto end = seen + this->RaysOfHit; seen != end; ++seen)
+    Color arriving(0.0);
+    for (const auto end = met + this->RaysOfHit; met != end; ++met)
     {
-      radiance += *seen != None ? look.ofRay * surfaces.Indirect(*seen) : Color(0.0);
+      arriving += met->leaf != None ? met->weight * surfaces.Indirect(met->leaf) : Color(0.0);
     }
+    const Color radiance = look.direct + look.albedo * arriving;
     sums[look.leaf].radiance += static_cast<double>(this->RaysOfHit) * radiance;
     sums[look.leaf].rays += this->RaysOfHit;
   }

@@ -53,13 +53,20 @@ private:
   /// Radiance at a point that was met, W m^-2 sr^-1.
   struct Look
   {
-    Color ofRay{ 0.0 };    ///< part of the radiance that a ray has met which is reflected
+    Color albedo{ 0.0 };
     Color direct{ 0.0 };   ///< reflected of the light of lamps
     Color fixed{ 0.0 };    ///< the same and of the other light of elements that are not met often
     Color ofMet{ 0.0 };    ///< reflected of the other light of those that are
     Color solution{ 0.0 }; ///< what the element has for both
     RadianceSolution::NodeIndex leaf = None;
     std::uint64_t shadowRays = 0;
+  };
+
+  /// What a ray of a look has met.
+  struct Meeting
+  {
+    RadianceSolution::NodeIndex leaf = None; ///< None where that is nothing
+    double weight = 0.0; ///< part of the radiance there that a white surface would reflect
   };
 
   /// Over the rays from one element.
@@ -79,8 +86,8 @@ private:
   std::uint32_t RaysOfHit;
   std::uint64_t Seed;
   std::vector<Look> Looks;
-  std::vector<RadianceSolution::NodeIndex> Seen; ///< leaf that each ray of each look met, or None
-  std::vector<bool> IsMetOften;                  ///< of each element
+  std::vector<Meeting> Met;     ///< of all rays of each look
+  std::vector<bool> IsMetOften; ///< of each element
 };
 
 } // namespace vantage

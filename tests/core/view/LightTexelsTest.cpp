@@ -257,15 +257,15 @@ TEST(LightTexels, StandForShadowRaysOfLitSurfaces)
   Color estimated(0.0);
   for (std::uint32_t k = 0; k < sample.size(); ++k)
   {
-    estimated += lit.Radiance(sample[k], k, 17, shadowRays).direct;
+    estimated += lit.Radiance(sample[k], LitBy::Texels, k, 17, shadowRays).direct;
   }
   ASSERT_GT(shadowRays, 0u);
-  EXPECT_EQ(lit.LightSample(sample, 17), shadowRays);
+  EXPECT_EQ(lit.LightSample(sample, {}, 17), shadowRays);
   Color found(0.0);
   shadowRays = 0;
   for (const Hit& hit : sample)
   {
-    found += lit.Radiance(hit, 0, 1, shadowRays).direct;
+    found += lit.Radiance(hit, LitBy::Texels, 0, 1, shadowRays).direct;
   }
   EXPECT_EQ(shadowRays, 0u);
   for (int c = 0; c < 3; ++c)

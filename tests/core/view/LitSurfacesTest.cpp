@@ -35,7 +35,7 @@ TEST(LitSurfaces, AddsTheClosedFormOfALampToTheRest)
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
   {
     std::uint64_t shadowRays = 0;
-    const LitRadiance parts = lit.Radiance(FloorHit(stage), 0, seed, shadowRays);
+    const LitRadiance parts = lit.Radiance(FloorHit(stage), LitBy::ShadowRays, 0, seed, shadowRays);
     EXPECT_EQ(parts.indirect, Reflected);
     const Color found = parts.direct + parts.indirect;
     for (int c = 0; c < 3; ++c)
@@ -52,8 +52,8 @@ TEST(LitSurfaces, ALampThatIsNotNamedGivesNothingHere)
   RadianceSolution::Element& floor = ElementOf(stage, FloorHit(stage));
   floor.lastLamp = floor.firstLamp;
   std::uint64_t shadowRays = 0;
-  const LitRadiance found =
-    LitSurfaces(stage.occluders, stage.solution).Radiance(FloorHit(stage), 0, 1, shadowRays);
+  const LitRadiance found = LitSurfaces(stage.occluders, stage.solution)
+                              .Radiance(FloorHit(stage), LitBy::ShadowRays, 0, 1, shadowRays);
   EXPECT_EQ(found.direct, Color(0.0));
   EXPECT_EQ(found.indirect, Reflected);
   EXPECT_EQ(shadowRays, 0u);
@@ -64,8 +64,8 @@ TEST(LitSurfaces, AnInactiveSideIsBlack)
   const GatherStage stage(MakeFloorBelowLamps(1), AllButEmission);
   const Hit below = Met(stage, Vec3(0.0, 0.0, -0.1), Vec3(0.0, 0.0, 1.0));
   std::uint64_t shadowRays = 0;
-  const LitRadiance found =
-    LitSurfaces(stage.occluders, stage.solution).Radiance(below, 0, 1, shadowRays);
+  const LitRadiance found = LitSurfaces(stage.occluders, stage.solution)
+                              .Radiance(below, LitBy::ShadowRays, 0, 1, shadowRays);
   EXPECT_EQ(found.direct + found.indirect, Color(0.0));
   EXPECT_EQ(shadowRays, 0u);
 }
@@ -85,7 +85,7 @@ struct MeanRadiance
     double squares = 0.0;
     for (std::uint32_t i = 0; i < samples; ++i)
     {
-      const LitRadiance radiance = lit.Radiance(hit, i, seed, this->shadowRays);
+      const LitRadiance radiance = lit.Radiance(hit, LitBy::ShadowRays, i, seed, this->shadowRays);
       const double value = radiance.direct.x + radiance.indirect.x;
       this->mean += value / samples;
       squares += value * value / samples;
@@ -131,7 +131,7 @@ TEST(LitSurfaces, AGlobeIsOneLamp)
   ASSERT_EQ(stage.solution.lamps.size(), 528u);
   const LitSurfaces lit(stage.occluders, stage.solution);
   std::uint64_t shadowRays = 0;
-  const LitRadiance found = lit.Radiance(FloorHit(stage), 0, 1, shadowRays);
+  const LitRadiance found = lit.Radiance(FloorHit(stage), LitBy::ShadowRays, 0, 1, shadowRays);
   EXPECT_EQ(shadowRays, 1u);
   EXPECT_NEAR(found.direct.x, Unhidden(stage).x, 1e-12); // round-off
 }
@@ -239,7 +239,8 @@ TEST(LitSurfaces, LampsCloseByAreDrawnByWhatTheyGive)
   for (std::uint32_t index = 0; index < 100; ++index)
   {
     // The lamps in the corners are farther than four radii: they are taken for points.
-    const double found = lit.Radiance(FloorHit(stage), index, 1, shadowRays).direct.x;
+    const double found =
+      lit.Radiance(FloorHit(stage), LitBy::ShadowRays, index, 1, shadowRays).direct.x;
     EXPECT_NEAR(found, all, 0.02 * all) << index;
   }
   EXPECT_LE(shadowRays, 100u * LitSurfaces::MostLamps);

@@ -37,7 +37,7 @@ SecondLook LookAgain(const GatherStage& stage, const std::vector<Hit>& hits,
 Color RadianceAt(const LitSurfaces& lit, const Hit& hit)
 {
   std::uint64_t shadowRays = 0;
-  const LitRadiance radiance = lit.Radiance(hit, 0, 1, shadowRays);
+  const LitRadiance radiance = lit.Radiance(hit, LitBy::ShadowRays, 0, 1, shadowRays);
   return radiance.direct + radiance.indirect;
 }
 

@@ -1,12 +1,9 @@
 #include "core/view/SurfaceGather.h"
-#include "core/math/Sampling.h"
 #include "core/view/GatherStage.h"
-#include "core/view/HemisphereGather.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace vantage
 {
@@ -155,36 +152,6 @@ TEST(SurfaceGather, NoPointsGiveNoLight)
   const SurfaceGather::Result result = gather.Radiance({}, {});
   EXPECT_TRUE(result.radiance.empty());
   EXPECT_EQ(result.error, 0.0);
-}
-
-TEST(HemisphereGather, ComesCloserWithMoreRaysAndKnowsItsNoise)
-{
-  const GatherStage stage = MakeStage();
-  const PatchId floor = FloorOf(stage);
-  const LitSurfaces lit(stage.occluders, stage.solution);
-  const auto gather = [&](const Vec3& x, std::uint32_t rays, std::uint64_t seed) {
-    return GatherHemisphere(stage.occluders, lit, floor, x, { 0, 0, 1 }, rays, seed);
-  };
-  RandomStream random(41);
-  double last = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t rays : { 32, 256, 2048 })
-  {
-    double error = 0.0;
-    double noise = 0.0;
-    for (int i = 0; i < 100; ++i)
-    {
-      const Vec3 x(0.05 + 0.9 * random.Next(), 0.05 + 0.9 * random.Next(), 0.0);
-      // The wall at x = 0 between heights 0 and 1, less what the lamp's panel hides.
-      const double exact = gather(x, 16384, 1000 + i).irradiance.x;
-      const HemisphereEstimate estimate = gather(x, rays, i);
-      error += (estimate.irradiance.x - exact) * (estimate.irradiance.x - exact);
-      noise += estimate.noise * estimate.noise;
-    }
-    EXPECT_LT(error, 0.1 * last) << rays;
-    EXPECT_GT(noise, 0.3 * error) << rays;
-    EXPECT_LT(noise, 4.0 * error) << rays;
-    last = error;
-  }
 }
 
 } // namespace

@@ -117,9 +117,8 @@ Image BruteForce(const GatherStage& stage, const Camera& camera, int size)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const PatchId patch = points[i].patch;
-    const Color indirect = GatherHemisphere(
-      stage.occluders, lit, patch, points[i].point, stage.Normal(patch), Rays, Hash(77, i))
-                             .irradiance;
+    const Color indirect =
+      GatherHemisphere(stage.occluders, lit, patch, points[i].point, Rays, Hash(77, i)).irradiance;
     *pixels[i] =
       stage.solution.emission[patch] + stage.solution.albedo[patch] / Pi * (direct[i] + indirect);
   }
