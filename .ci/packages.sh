@@ -8,6 +8,7 @@ vantage_packages=(
   libvtk9-dev python3-vtk9 libpython3-dev libembree-dev libopenmesh-dev libglm-dev libtbb-dev
   libeigen3-dev libcli11-dev nlohmann-json3-dev libopenexr-dev
   python3-imath # no use of ours, but the CMake package of libopenexr-dev asks for its library
+  libx11-dev # a window
   # drawing without a display or a graphics card: EGL, a virtual display, Mesa's software renderer
   libegl-dev libegl-mesa0 xvfb xauth libgl1-mesa-dri
   # testing

@@ -26,6 +26,7 @@ void AddCompareCommand(CLI::App& app, Command& chosen);
 void AddFormFactorsCommand(CLI::App& app, Command& chosen);
 void AddPlatesCommand(CLI::App& app, Command& chosen);
 void AddReportCommand(CLI::App& app, Command& chosen);
+void AddViewCommand(CLI::App& app, Command& chosen);
 
 /// "vantage: what" on standard error, as one line whatever the text.
 void PrintError(const std::string& what);

@@ -8,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -20,7 +19,6 @@ namespace
 {
 
 const std::string PathTracingName = "path-tracing";
-constexpr int DefaultImageHeight = 512;
 /// Where neither steps nor error nor time is asked for.
 constexpr double DefaultError = 0.01;
 
@@ -34,16 +32,12 @@ std::vector<std::string> AllMethodNames()
 void DeclareCamera(CLI::App& command, RenderOptions& options)
 {
   command
-    .add_option("--camera", options.cameras,
+    .add_option("--camera", options.view.names,
       "Name of one of the scene's cameras [the first]; given again: an image each, -0001 and so on")
     ->expected(1)
     ->take_all();
   command.add_option("--walk", options.walk, "File of cameras to go through, noted as in .obj");
-  command.add_option("--eye", options.eye, "Position X Y Z");
-  command.add_option("--look-at", options.lookAt, "Middle of the image X Y Z");
-  command.add_option("--up", options.up, "Upward direction X Y Z [0 0 1 without a camera]");
-  command.add_option("--fov", options.fieldOfView, "Vertical field of view, degrees");
-  command.add_option("--size", options.size, "Pixels W H [height 512]");
+  DeclareCameraOptions(command, options.view);
   command.add_option("--samples-per-pixel", options.samplesPerPixel,
     "Primary rays; of path-tracing, paths [4; 64 without --steps and --time]");
   command.add_flag("--pixel-centres", options.pixelCentres, "Primary rays through centres only");
@@ -115,11 +109,6 @@ bool IsSameFile(const std::string& a, const std::string& b)
   return std::filesystem::equivalent(a, b, error);
 }
 
-Vec3 ToVec3(const std::array<double, 3>& v)
-{
-  return { v[0], v[1], v[2] };
-}
-
 } // namespace
 
 bool RenderOptions::IsPathTracing() const
@@ -148,12 +137,7 @@ void RenderOptions::Resolve()
   this->solver.Validate();
   this->MakeBudget().Validate();
   this->toneMapping.Validate();
-  if (this->size && ((*this->size)[0] < 1 || (*this->size)[1] < 1))
-  {
-    throw InputError("--size: " + std::to_string((*this->size)[0]) + " " +
-                     std::to_string((*this->size)[1]) +
-                     " has no pixels; give a width and a height of 1 or more");
-  }
+  this->view.Validate();
   if (this->samplesPerPixel && *this->samplesPerPixel < 1)
   {
     throw InputError("--samples-per-pixel: it must be 1 or more; give for example 4");
@@ -166,11 +150,11 @@ void RenderOptions::Resolve()
   {
     throw InputError("--error: path-tracing does not stop at an error; give --steps or --time");
   }
-  if (!this->walk.empty() && !this->cameras.empty())
+  if (!this->walk.empty() && !this->view.names.empty())
   {
     throw InputError("--walk: it brings its own cameras; drop --camera");
   }
-  if (this->IsPathTracing() && (this->cameras.size() > 1 || !this->walk.empty()))
+  if (this->IsPathTracing() && (this->view.names.size() > 1 || !this->walk.empty()))
   {
     throw InputError("path-tracing keeps nothing from camera to camera; give one --camera a run");
   }
@@ -287,10 +271,9 @@ Budget RenderOptions::MakeBudget() const
 ElementImageSettings RenderOptions::MakeImageSettings(const Camera& camera) const
 {
   ElementImageSettings settings;
-  settings.width =
-    this->size ? (*this->size)[0]
-               : std::max(1, static_cast<int>(std::lround(DefaultImageHeight * camera.aspect)));
-  settings.height = this->size ? (*this->size)[1] : DefaultImageHeight;
+  const auto [width, height] = this->view.SizeOf(camera);
+  settings.width = width;
+  settings.height = height;
   settings.samplesPerPixel = this->samplesPerPixel.value_or(settings.samplesPerPixel);
   settings.pixelCentres = this->pixelCentres;
   settings.flat = this->flat;
@@ -336,38 +319,9 @@ PathTracerSettings RenderOptions::MakePathTracerSettings() const
 
 std::vector<Camera> RenderOptions::ChooseCameras(const Scene& scene) const
 {
-  std::vector<Camera> chosen;
-  for (const std::string& name : this->cameras)
-  {
-    chosen.push_back(scene.FindCamera(name));
-  }
-  if (!this->walk.empty())
-  {
-    chosen = ReadCameras(this->walk);
-  }
-  if (chosen.empty() && !scene.cameras.empty())
-  {
-    chosen.push_back(scene.cameras.front());
-  }
-  if (chosen.empty() && (!this->eye || !this->lookAt))
-  {
-    throw InputError(this->scene + ": it has no camera; give --eye X Y Z and --look-at X Y Z");
-  }
-  if (chosen.empty())
-  {
-    chosen.emplace_back().up = Vec3(0.0, 0.0, 1.0);
-  }
-  for (Camera& camera : chosen)
-  {
-    camera.eye = this->eye ? ToVec3(*this->eye) : camera.eye;
-    camera.lookAt = this->lookAt ? ToVec3(*this->lookAt) : camera.lookAt;
-    camera.up = this->up ? ToVec3(*this->up) : camera.up;
-    camera.fieldOfView = this->fieldOfView.value_or(camera.fieldOfView);
-    const ElementImageSettings image = this->MakeImageSettings(camera);
-    camera.aspect = static_cast<double>(image.width) / image.height;
-    camera.Validate();
-  }
-  return chosen;
+  const bool isWalk = !this->walk.empty();
+  return this->view.Choose(
+    scene, this->scene, isWalk ? ReadCameras(this->walk) : std::vector<Camera>());
 }
 
 std::string RenderOptions::FramePath(const std::string& output, std::size_t k, std::size_t n)

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "CameraOptions.h"
 #include "core/Solver.h"
 #include "core/reference/PathTracer.h"
 #include "core/view/ToneMapping.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +31,8 @@ struct RenderOptions
   std::string history;              ///< .csv
   std::string report;               ///< .json
 
-  std::vector<std::string> cameras; ///< names; an image each
-  std::string walk;                 ///< a file of cameras (io/CameraFile.h), instead
-  std::optional<std::array<double, 3>> eye, lookAt, up;
-  std::optional<double> fieldOfView;
-  std::optional<std::array<int, 2>> size;
+  CameraOptions view; ///< an image for each name
+  std::string walk;   ///< a file of cameras (io/CameraFile.h), instead
 
   std::string method = NameOf(SolverSettings().method);
   std::string granularity = NameOf(Granularity::Patch);
@@ -68,8 +65,7 @@ struct RenderOptions
   /// Of a picture that the gathered points of elements give, in (0, 1].
   double ErrorOfElements() const;
   PathTracerSettings MakePathTracerSettings() const;
-  /// The cameras of those names or of the walk, else the first of the scene, changed by --eye and
-  /// the like; their aspect ratios are those of the images. At least one. \throw InputError
+  /// As CameraOptions::Choose(). \throw InputError
   std::vector<Camera> ChooseCameras(const Scene& scene) const;
   /// Where the image of frame k of n goes: `output` when it is the only one, else with the number,
   /// from 0001, before the suffix.

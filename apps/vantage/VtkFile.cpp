@@ -155,6 +155,12 @@ void WritePng(vtkImageData* image, const std::string& path)
 void WritePng(
   const std::vector<ScreenColor>& pixels, int width, int height, const std::string& path)
 {
+  WritePng(ScreenImage(pixels, width, height), path);
+}
+
+vtkSmartPointer<vtkImageData> ScreenImage(
+  const std::vector<ScreenColor>& pixels, int width, int height)
+{
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("RGB");
   colors->SetNumberOfComponents(3);
@@ -163,10 +169,10 @@ void WritePng(
   {
     colors->SetTypedTuple(static_cast<vtkIdType>(p), pixels[p].data());
   }
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(width, height, 1);
-  data->GetPointData()->SetScalars(colors);
-  WritePng(data, path);
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->GetPointData()->SetScalars(colors);
+  return image;
 }
 
 } // namespace vantage

@@ -31,4 +31,8 @@ void WritePng(vtkImageData* image, const std::string& path);
 void WritePng(
   const std::vector<ScreenColor>& pixels, int width, int height, const std::string& path);
 
+/// The same in memory: point scalars RGB, 3 unsigned char.
+vtkSmartPointer<vtkImageData> ScreenImage(
+  const std::vector<ScreenColor>& pixels, int width, int height);
+
 } // namespace vantage

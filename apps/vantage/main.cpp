@@ -22,6 +22,7 @@ int Run(int argc, char** argv)
   vantage::AddFormFactorsCommand(app, command);
   vantage::AddPlatesCommand(app, command);
   vantage::AddReportCommand(app, command);
+  vantage::AddViewCommand(app, command);
   try
   {
     app.parse(argc, argv);

@@ -94,6 +94,14 @@ const BadCall BadCalls[] = {
   { "LabyrinthSuffix", "labyrinth -o a.png", ".obj, .vtp" },
   { "LabyrinthNoFolder", "labyrinth -o none/a.obj", "cannot be written" },
   { "LabyrinthNoOutput", "labyrinth", "--output" },
+  { "ViewMissingFile", "view none.obj", "none.obj: there is no such file" },
+  { "ViewNoCamera", "view nocamera.obj", "nocamera.obj: it has no camera" },
+  { "ViewUnknownCamera", "view s.obj --camera x", "'x'" },
+  { "ViewError", "view s.obj --error 0", "--error: it must be from 0.0005 to 1" },
+  { "ViewSize", "view s.obj --size 0 10", "has no pixels" },
+  { "ViewThreads", "view s.obj --threads -1", "--threads: it must not be negative" },
+  { "ViewExposure", "view s.obj --exposure nan", "exposure" },
+  { "ViewNoDisplay", "view s.obj", "there is no X display" },
 };
 
 /// All files the bad calls speak of.
@@ -135,6 +143,8 @@ class BadCallTest : public testing::TestWithParam<BadCall>
 protected:
   static void SetUpTestSuite()
   {
+    // For `vantage view`, which would open a window.
+    unsetenv("DISPLAY");
     Folder = std::make_unique<TemporaryFolder>();
     WriteBadScenes(*Folder);
   }
@@ -163,7 +173,7 @@ TEST(CommandLine, HelpIsNoError)
 {
   const TemporaryFolder folder;
   for (const char* arguments : { "--help", "render --help", "info --help", "compare --help",
-         "form-factors --help", "labyrinth --help" })
+         "form-factors --help", "labyrinth --help", "view --help" })
   {
     const RunResult run = RunVantage(folder, arguments);
     EXPECT_EQ(run.exitCode, 0) << arguments;
