@@ -45,6 +45,7 @@ ElementSolution ExtractElements(const GoalOrientedTransport& transport, const Fa
     const PatchOptics& optics = open.Optics()[patchId];
     const double view = open[leaf].IsExposed() ? open[leaf].view / open[leaf].area : 0.0;
     solution.radiance.push_back(optics.emission + transport.Radiance().Received(leaf));
+    solution.irradiance.push_back(transport.Radiance().Arriving(leaf));
     solution.unshotRadiance.emplace_back(0.0);
     solution.importance.push_back(Color(view) + transport.Importance().Arriving(leaf));
     solution.unshotImportance.emplace_back(0.0);
@@ -57,6 +58,7 @@ ElementSolution ExtractElements(const GoalOrientedTransport& transport, const Fa
     solution.level.push_back(tree[element].level);
   }
   solution.pointRadiance = PointValues(solution.surface, solution.radiance);
+  solution.pointIrradiance = PointValues(solution.surface, solution.irradiance);
   return solution;
 }
 

@@ -16,14 +16,16 @@ namespace vantage
 class GoalOrientedTransport;
 class Transport;
 
-/// Elements and what is known of each. All vectors but one have an entry for each polygon of
-/// `surface`.
+/// Elements and what is known of each. Vectors have an entry for each polygon of `surface`, unless
+/// they say otherwise.
 struct ElementSolution
 {
   std::shared_ptr<const ElementTree> tree; ///< whose leaves they are
   ElementSurface surface;
   std::vector<Color> pointRadiance;    ///< at the points of the surface, W m^-2 sr^-1
+  std::vector<Color> pointIrradiance;  ///< the same of `irradiance`
   std::vector<Color> radiance;         ///< mean, W m^-2 sr^-1
+  std::vector<Color> irradiance;       ///< mean, W m^-2; goal-oriented only, else empty
   std::vector<Color> unshotRadiance;   ///< W m^-2 sr^-1, mean over the interactions by throughput
   std::vector<Color> importance;       ///< P, sr m^-2
   std::vector<Color> unshotImportance; ///< of Y = rho P, sr m^-2

@@ -89,6 +89,19 @@ TEST(SolutionAdapter, PointRadianceIsThatOfThePoints)
   EXPECT_EQ(elements->GetFieldData()->GetArray("ErrorEstimate"), nullptr);
 }
 
+TEST(SolutionAdapter, IrradianceIsThereWhereItIsKnown)
+{
+  ElementSolution solution = MakeSolution();
+  solution.irradiance = { Color(1, 2, 3), Color(4, 5, 6) };
+  solution.pointIrradiance.assign(5, Color(7));
+  const auto elements = ElementsToPolyData(solution);
+  EXPECT_EQ(CellColor(elements, "Irradiance", 1), Color(4, 5, 6));
+  EXPECT_EQ(elements->GetPointData()->GetArray("Irradiance")->GetComponent(4, 0), 7.0);
+  const auto others = ElementsToPolyData(MakeSolution());
+  EXPECT_EQ(others->GetCellData()->GetArray("Irradiance"), nullptr);
+  EXPECT_EQ(others->GetPointData()->GetArray("Irradiance"), nullptr);
+}
+
 TEST(SolutionAdapter, GatheredElementsStateTheirError)
 {
   GatheredElements gathered;

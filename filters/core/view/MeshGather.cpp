@@ -110,6 +110,7 @@ void LightPoints(const SurfaceGather& gather, const RadianceSolution& solution,
   const std::vector<ViewSample>& view, const MeshGatherSettings& settings, GatheredMesh& mesh)
 {
   PointsInView inView = FindPoints(mesh, view);
+  mesh.gathered = std::move(inView.ids);
   const std::size_t count = inView.points.size();
   const std::vector<ViewSample> judges = ChooseJudges(view, settings.seed);
   for (const ViewSample& judge : judges)
@@ -121,8 +122,9 @@ void LightPoints(const SurfaceGather& gather, const RadianceSolution& solution,
   mesh.pointRadiance = MeansOfElements(mesh, solution);
   for (std::size_t k = 0; k < count; ++k)
   {
-    mesh.pointRadiance[inView.ids[k]] = light.radiance[k];
+    mesh.pointRadiance[mesh.gathered[k]] = light.radiance[k];
   }
+  mesh.irradiance.assign(light.irradiance.begin(), light.irradiance.begin() + count);
   mesh.interpolationError = InterpolationError(mesh, judges, light.radiance.data() + count);
   mesh.gatherError = light.error;
   mesh.counts.Add(light.counts);
@@ -154,7 +156,7 @@ GatheredMesh GatherMesh(const OccluderScene& occluders, const RadianceSolution& 
   ElementTree refined =
     RefineForView(gather, solution, std::move(tree), view, settings.interpolationError, counts);
   ElementSurface surface = PatchMesh(refined, facets).Surface();
-  GatheredMesh mesh{ std::move(refined), std::move(surface), {}, 0.0, 0.0, counts };
+  GatheredMesh mesh{ std::move(refined), std::move(surface), {}, {}, {}, 0.0, 0.0, counts };
   LightPoints(gather, solution, view, settings, mesh);
   return mesh;
 }

@@ -30,7 +30,9 @@ struct GatheredMesh
 {
   ElementTree tree; ///< the given one, split further where the view needs it
   ElementSurface surface;
-  std::vector<Color> pointRadiance; ///< of each point of the surface, W m^-2 sr^-1
+  std::vector<Color> pointRadiance;    ///< of each point of the surface, W m^-2 sr^-1
+  std::vector<std::uint32_t> gathered; ///< points of the surface whose light was, ascending
+  std::vector<Color> irradiance;       ///< of these, W m^-2
   /// Relative L1 of what interpolation adds to the picture: measured at points of the image that
   /// had no say in the splits.
   double interpolationError = 0.0;

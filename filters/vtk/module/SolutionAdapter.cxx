@@ -95,6 +95,10 @@ vtkSmartPointer<vtkPolyData> ElementsToPolyData(const ElementSolution& solution)
 
   vtkCellData* cellData = elements->GetCellData();
   cellData->AddArray(ColorsToArray("Radiance", solution.radiance));
+  if (!solution.irradiance.empty())
+  {
+    cellData->AddArray(ColorsToArray("Irradiance", solution.irradiance));
+  }
   cellData->AddArray(ColorsToArray("UnshotRadiance", solution.unshotRadiance));
   cellData->AddArray(ColorsToArray("Importance", solution.importance));
   cellData->AddArray(ColorsToArray("UnshotImportance", solution.unshotImportance));
@@ -112,6 +116,10 @@ vtkSmartPointer<vtkPolyData> ElementsToPolyData(const ElementSolution& solution)
     MakeArray<vtkIntArray>("Level", count, [&](std::size_t k) { return solution.level[k]; }));
 
   elements->GetPointData()->AddArray(ColorsToArray("Radiance", solution.pointRadiance));
+  if (!solution.pointIrradiance.empty())
+  {
+    elements->GetPointData()->AddArray(ColorsToArray("Irradiance", solution.pointIrradiance));
+  }
   return elements;
 }
 

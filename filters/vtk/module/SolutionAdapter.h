@@ -24,6 +24,7 @@ struct SolvedView;
 /// | cell array       | components | unit        | content                                      |
 /// |------------------|------------|-------------|----------------------------------------------|
 /// | Radiance         | 3          | W m^-2 sr^-1| leaving the element, emission included       |
+/// | Irradiance       | 3          | W m^-2      | arriving; of goal-oriented only              |
 /// | UnshotRadiance   | 3          | W m^-2 sr^-1| its part that is not yet propagated          |
 /// | Importance       | 3          | sr m^-2     | P: what light here means for the view        |
 /// | UnshotImportance | 3          | sr m^-2     | part of albedo * P that is not propagated    |
@@ -35,7 +36,8 @@ struct SolvedView;
 /// | Side             | 1 (uchar)  |             | 0 front, 1 back; corners run accordingly     |
 /// | Level            | 1 (int)    |             | subdivisions below the patch                 |
 ///
-/// Point array: Radiance, 3, ElementSolution::pointRadiance.
+/// Point arrays: Radiance, 3, ElementSolution::pointRadiance, and with Irradiance its
+/// pointIrradiance.
 VTKVANTAGEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> ElementsToPolyData(
   const ElementSolution& solution);
 

@@ -42,6 +42,7 @@ struct ElementSolution;
 /// | cell array       | components | unit         | content                                      |
 /// |------------------|------------|--------------|----------------------------------------------|
 /// | Radiance         | 3          | W m^-2 sr^-1 | leaving the element, emission included       |
+/// | Irradiance       | 3          | W m^-2       | arriving; of goal-oriented only              |
 /// | UnshotRadiance   | 3          | W m^-2 sr^-1 | its part that is not yet propagated          |
 /// | Importance       | 3          | sr m^-2      | what light here means for the view           |
 /// | UnshotImportance | 3          | sr m^-2      | part of albedo x importance not propagated   |
@@ -55,9 +56,9 @@ struct ElementSolution;
 ///
 /// Point array: Radiance (3), for smooth shading. Goal-oriented gathers it, on elements that are
 /// split further where the view sees light that varies, so that shadows have their edges in a plain
-/// render too; the field array ErrorEstimate (1) then is the relative L1 error of the picture that
-/// the points give. Else it is the mean of the elements around a point. Field data of the input are
-/// passed on.
+/// render too, and Irradiance (3) with it; the field array ErrorEstimate (1) then is the relative
+/// L1 error of the picture that the points give. Else it is the mean of the elements around a
+/// point, as it is where the view does not see a point. Field data of the input are passed on.
 ///
 /// Output port 1, vtkPolyData: a line for each interaction, with the cell arrays Shooter, Receiver
 /// (PatchId of the ends; -1: a cluster of patches), ShooterLevel, ReceiverLevel (-1 of a cluster),

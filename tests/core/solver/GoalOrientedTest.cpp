@@ -186,6 +186,39 @@ TEST(GoalOriented, RadianceComesFromIrradiance)
   EXPECT_GT(lamps, 3);
 }
 
+TEST(GoalOriented, ElementsAndTheirPointsKnowTheirIrradiance)
+{
+  Scene scene = test::MakeLitBox();
+  Solver solver = MakeGoalSolver(scene);
+  solver.SetCamera(scene.cameras[0]);
+  solver.Run(Error(0.05));
+  const ElementSolution elements = solver.Elements();
+  ASSERT_EQ(elements.irradiance.size(), elements.radiance.size());
+  for (std::size_t k = 0; k < elements.radiance.size(); ++k)
+  {
+    const Color expected = elements.emission[k] + elements.albedo[k] / Pi * elements.irradiance[k];
+    EXPECT_LT(MaxChannel(glm::abs(elements.radiance[k] - expected)), 1e-12 * MaxChannel(expected));
+  }
+  // Gathered, it is another estimate of the same: their means differ by the error.
+  const ElementSolution gathered = solver.GatherElements(scene.cameras[0], 0.05).elements;
+  ASSERT_EQ(gathered.pointIrradiance.size(), gathered.surface.points.size());
+  double byPoints = 0.0;
+  double byElements = 0.0;
+  for (std::size_t p = 0; p < gathered.surface.PolygonCount(); ++p)
+  {
+    const double area = (*gathered.tree)[gathered.surface.elements[p]].area;
+    const std::uint32_t first = gathered.surface.offsets[p];
+    const std::uint32_t last = gathered.surface.offsets[p + 1];
+    for (std::uint32_t i = first; i < last; ++i)
+    {
+      byPoints +=
+        area / (last - first) * Mean(gathered.pointIrradiance[gathered.surface.indices[i]]);
+    }
+    byElements += area * Mean(gathered.irradiance[p]);
+  }
+  EXPECT_NEAR(byPoints / byElements, 1.0, 0.05);
+}
+
 TEST(GoalOriented, TwoRunsContinueAsOneWouldHaveGone)
 {
   const Scene scene = test::MakeLitBox();

@@ -289,6 +289,17 @@ TEST(Session, ALampInsideAClosedBodyNeedsANewSolver)
   EXPECT_TRUE(Solver(Scene(scene)).CanTake(scene.materials));
 }
 
+TEST(Session, TheElementsOfAnyMethodCanBeGathered)
+{
+  const Scene scene = test::MakeLitBox();
+  Solver solver(scene, CoarseSettings(Method::ProgressiveShooting));
+  solver.Run(Steps(3));
+  const ElementSolution elements = solver.GatherElements(scene.cameras[0], 0.2).elements;
+  EXPECT_EQ(elements.pointRadiance.size(), elements.surface.points.size());
+  EXPECT_TRUE(elements.irradiance.empty()); // only goal-oriented keeps it
+  EXPECT_TRUE(elements.pointIrradiance.empty());
+}
+
 TEST(Session, ShootingNeedsACameraOnlyForImportance)
 {
   const Scene scene = test::MakeLitBox();

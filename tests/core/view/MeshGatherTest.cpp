@@ -179,6 +179,30 @@ TEST(MeshGather, AViewOfFewSamplesIsNotTakenForOneOfFewPoints)
   EXPECT_LT(mesh.surface.PolygonCount(), 100u);
 }
 
+TEST(MeshGather, RadianceOfPointsComesFromTheirIrradiance)
+{
+  const GatherStage stage = MakeShadowStage();
+  const GatheredMesh mesh = GatherFor(stage, ShadowCamera(), 0.02);
+  ASSERT_EQ(mesh.irradiance.size(), mesh.gathered.size());
+  ASSERT_FALSE(mesh.gathered.empty());
+  std::vector<PatchId> patchOf(mesh.pointRadiance.size(), None);
+  for (std::size_t p = 0; p < mesh.surface.PolygonCount(); ++p)
+  {
+    for (std::uint32_t i = mesh.surface.offsets[p]; i < mesh.surface.offsets[p + 1]; ++i)
+    {
+      patchOf[mesh.surface.indices[i]] = mesh.tree[mesh.surface.elements[p]].patch;
+    }
+  }
+  for (std::size_t k = 0; k < mesh.gathered.size(); ++k)
+  {
+    const PatchId patch = patchOf[mesh.gathered[k]];
+    const Color expected =
+      stage.solution.emission[patch] + stage.solution.albedo[patch] / Pi * mesh.irradiance[k];
+    const Color& found = mesh.pointRadiance[mesh.gathered[k]];
+    EXPECT_LT(MaxChannel(glm::abs(found - expected)), 1e-12 * (1.0 + MaxChannel(expected)));
+  }
+}
+
 TEST(MeshGather, TheNumberOfThreadsChangesNothing)
 {
   const GatherStage stage = MakeShadowStage();
