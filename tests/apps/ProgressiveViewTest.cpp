@@ -1,7 +1,7 @@
 #include "view/ProgressiveView.h"
 
+#include "Rooms.h"
 #include "core/Error.h"
-#include "core/scene/Labyrinth.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,7 @@ namespace vantage
 namespace
 {
 
-Scene MakeRooms()
-{
-  LabyrinthSettings settings;
-  settings.rows = 2;
-  settings.columns = 2;
-  return MakeLabyrinth(settings);
-}
+using test::MakeRooms;
 
 using Picture = ProgressiveView::Picture;
 

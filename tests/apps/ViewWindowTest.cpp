@@ -1,6 +1,7 @@
 #include "view/ViewWindow.h"
 
-#include "core/scene/Labyrinth.h"
+#include "Rooms.h"
+#include "core/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -21,15 +22,9 @@ namespace vantage
 namespace
 {
 
-constexpr int Size = 96;
+using test::MakeRooms;
 
-Scene MakeRooms()
-{
-  LabyrinthSettings settings;
-  settings.rows = 2;
-  settings.columns = 2;
-  return MakeLabyrinth(settings);
-}
+constexpr int Size = 96;
 
 /// A window on the scene, and somebody in front of it.
 class Session
