@@ -31,7 +31,6 @@ LampCutter::LampCutter(const LampSurface& lamp)
 std::optional<double> LampCutter::Seen(
   const Vec2& x, const std::vector<Suspect>& suspects, Shadows& shadows) const
 {
-  using Cover = ShadowCones::Cover;
   shadows.All.clear();
   shadows.Sides.clear();
   shadows.AreCones = true;
