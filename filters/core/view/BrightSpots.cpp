@@ -143,7 +143,8 @@ SpotDirections::SpotDirections(const BrightSpots& spots, const Vec3& point, cons
 std::uint32_t SpotDirections::PartOf(std::uint32_t rays) const
 {
   const double usual = Pi * this->Spots->UsualRadiance();
-  const bool isWorthIt = this->Gain > LeastGain * usual * usual;
+  // One ray alone has to look everywhere.
+  const bool isWorthIt = rays > 1 && this->Gain > LeastGain * usual * usual;
   return isWorthIt ? (rays + RaysOfWhichOne - 1) / RaysOfWhichOne : 0;
 }
 

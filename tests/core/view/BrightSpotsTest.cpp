@@ -161,7 +161,8 @@ TEST(BrightSpots, AreNotDrawnFromBehindThem)
   EXPECT_EQ(SpotDirections(room.Lit.Spots(), { 0.6, 1.3, 0.0 }, { 0, 0, 1 }).PartOf(1000), 0u);
   EXPECT_EQ(SpotDirections(room.Lit.Spots(), { 0.6, 1.3, 2.0 }, { 0, 0, 1 }).PartOf(1000), 0u);
   EXPECT_EQ(SpotDirections(room.Lit.Spots(), Above, Down).PartOf(1000), 125u);
-  EXPECT_EQ(SpotDirections(room.Lit.Spots(), Above, Down).PartOf(1), 1u);
+  EXPECT_EQ(SpotDirections(room.Lit.Spots(), Above, Down).PartOf(2), 1u);
+  EXPECT_EQ(SpotDirections(room.Lit.Spots(), Above, Down).PartOf(1), 0u); // it looks everywhere
 }
 
 } // namespace
