@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <iostream>
+#include <tbb/global_control.h>
 
 namespace vantage
 {
@@ -65,6 +66,13 @@ void PrepareFolder(const std::string& folder)
     throw InputError(
       folder + ": cannot be made a folder (" + error.message() + "); choose another one with -o");
   }
+}
+
+std::size_t ThreadsFor(int asked)
+{
+  return asked > 0
+           ? static_cast<std::size_t>(asked)
+           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
 std::string Join(const std::vector<std::string>& words)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ void RequireSuffix(const std::string& path, const std::vector<std::string>& know
 
 /// Makes the folder and those above it, unless it is there. \throw InputError
 void PrepareFolder(const std::string& folder);
+
+/// How many threads an option asks for: 0 for all there are.
+std::size_t ThreadsFor(int asked);
 
 /// "a, b, c".
 std::string Join(const std::vector<std::string>& words);

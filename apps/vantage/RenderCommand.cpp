@@ -277,9 +277,7 @@ void RenderWithPathTracer(
 int Render(RenderOptions options)
 {
   options.Resolve();
-  const std::size_t allThreads =
-    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const std::size_t threads = options.threads > 0 ? options.threads : allThreads;
+  const std::size_t threads = ThreadsFor(options.threads);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 
   Stopwatch total;

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tbb/global_control.h>
 #include <utility>
@@ -27,7 +26,7 @@ struct ViewOptions
   std::string scene;
   CameraOptions view;
   double error = 0.01;
-  std::optional<double> exposure;
+  ToneMappingSettings toneMapping;
   int threads = 0; ///< 0: all
   SolverSettings solver;
   bool quiet = false;
@@ -44,9 +43,7 @@ struct ViewOptions
     {
       throw InputError("--threads: it must not be negative; give 0 for all");
     }
-    ToneMappingSettings tone;
-    tone.exposure = this->exposure;
-    tone.Validate();
+    this->toneMapping.Validate();
   }
 };
 
@@ -71,7 +68,7 @@ int View(const ViewOptions& options)
   settings.title = options.scene;
   settings.start = options.view.Choose(scene, options.scene).front();
   settings.places = scene.cameras;
-  settings.exposure = options.exposure;
+  settings.toneMapping = options.toneMapping;
   const auto [width, height] = options.view.SizeOf(settings.start);
   settings.width = width;
   settings.height = height;
@@ -80,10 +77,8 @@ int View(const ViewOptions& options)
     PrintWarnings(warnings);
   }
   RequireDisplay();
-  const std::size_t threads = options.threads > 0 ? static_cast<std::size_t>(options.threads)
-                                                  : tbb::global_control::active_value(
-                                                      tbb::global_control::max_allowed_parallelism);
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  const tbb::global_control control(
+    tbb::global_control::max_allowed_parallelism, ThreadsFor(options.threads));
   ProgressiveView view(std::move(scene), options.solver, options.error);
   ViewWindow(view, settings).Run();
   return 0;
@@ -104,7 +99,7 @@ void AddViewCommand(CLI::App& app, Command& chosen)
   DeclareCameraOptions(*command, options->view);
   command->add_option("--error", options->error, "Of the last picture of a view, relative L1")
     ->capture_default_str();
-  command->add_option("--exposure", options->exposure,
+  command->add_option("--exposure", options->toneMapping.exposure,
     "Radiance is multiplied by 2^EV [automatic, of the first picture]");
   command->add_option("--threads", options->threads, "0: all")->capture_default_str();
   command->add_option("--seed", options->solver.seed, "Of random numbers")

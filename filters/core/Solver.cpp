@@ -350,9 +350,12 @@ GatheredElements Solver::GatherElements(const Camera& camera, double error) cons
   gathered.elements = s.engine->Elements(s.facets, std::move(mesh.tree), std::move(mesh.surface));
   gathered.elements.pointRadiance = std::move(mesh.pointRadiance);
   std::vector<Color>& irradiance = gathered.elements.pointIrradiance;
-  for (std::size_t k = 0; !irradiance.empty() && k < mesh.gathered.size(); ++k)
+  if (!irradiance.empty())
   {
-    irradiance[mesh.gathered[k]] = mesh.irradiance[k];
+    for (std::size_t k = 0; k < mesh.gathered.size(); ++k)
+    {
+      irradiance[mesh.gathered[k]] = mesh.irradiance[k];
+    }
   }
   gathered.errorEstimate = std::hypot(mesh.interpolationError, mesh.gatherError);
   gathered.counts = mesh.counts;

@@ -10,7 +10,6 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
-#include <tbb/global_control.h>
 
 namespace vantage
 {
@@ -116,11 +115,7 @@ void ReportOptions::Resolve()
   SortDown(this->powerTolerances);
   SortDown(this->samples);
   std::reverse(this->samples.begin(), this->samples.end());
-  if (this->threads == 0)
-  {
-    this->threads = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  }
+  this->threads = static_cast<int>(ThreadsFor(this->threads));
 }
 
 std::array<int, 2> ReportOptions::SizeFor(const Camera& given) const

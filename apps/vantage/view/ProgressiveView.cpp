@@ -11,9 +11,14 @@ namespace vantage
 namespace
 {
 
-/// Errors of the pictures before the last one, and how many pixels in a row are one.
-constexpr std::array<std::pair<double, int>, 4> Stages{ { { 0.3, 4 }, { 0.1, 2 }, { 0.05, 1 },
-  { 0.02, 1 } } };
+struct Stage
+{
+  double error;
+  int pixelsInOne; ///< in a row
+};
+
+/// Before the last one.
+constexpr std::array<Stage, 4> Stages{ { { 0.3, 4 }, { 0.1, 2 }, { 0.05, 1 }, { 0.02, 1 } } };
 
 } // namespace
 
@@ -81,42 +86,44 @@ std::optional<ProgressiveView::Request> ProgressiveView::NextRequest()
 void ProgressiveView::Show(Solver& solver, const Request& request)
 {
   solver.SetCamera(request.camera);
+  bool isFirst = true;
   for (const auto& [error, pixelsInOne] : Stages)
   {
-    if (error > this->Error && !this->ShowAt(solver, request, error, pixelsInOne))
+    if (error > this->Error)
     {
-      return;
+      if (!this->ShowAt(solver, request, { error, pixelsInOne, isFirst, false }))
+      {
+        return;
+      }
+      isFirst = false;
     }
   }
-  this->ShowAt(solver, request, this->Error, 1);
+  this->ShowAt(solver, request, { this->Error, 1, isFirst, true });
 }
 
-bool ProgressiveView::ShowAt(Solver& solver, const Request& request, double error, int pixelsInOne)
+bool ProgressiveView::ShowAt(Solver& solver, const Request& request, const Step& step)
 {
-  const bool isFirst = pixelsInOne == Stages.front().second;
+  const auto isWanted = [&] { return !this->IsGivenUp(step.isFirst); };
   Budget budget;
-  budget.error = error;
-  if (solver.Run(budget, [&](const StepReport&) { return !this->IsGivenUp(isFirst); }) ==
-      RunEnd::Cancelled)
+  budget.error = step.error;
+  if (solver.Run(budget, [&](const StepReport&) { return isWanted(); }) == RunEnd::Cancelled)
   {
     return false;
   }
   GatherSettings settings;
-  settings.width = std::max(1, request.width / pixelsInOne);
-  settings.height = std::max(1, request.height / pixelsInOne);
-  settings.error = std::clamp(GatherShare * error, LeastGatherError, 1.0);
+  settings.width = std::max(1, request.width / step.pixelsInOne);
+  settings.height = std::max(1, request.height / step.pixelsInOne);
+  settings.error = std::clamp(GatherShare * step.error, LeastGatherError, 1.0);
   settings.seed = solver.Settings().seed;
-  GatheredView view =
-    solver.Gather(request.camera, settings, [&](double) { return !this->IsGivenUp(isFirst); });
+  GatheredView view = solver.Gather(request.camera, settings, [&](double) { return isWanted(); });
   const std::lock_guard<std::mutex> lock(this->Guard);
   if (view.radiance.pixels.empty())
   {
     return false;
   }
   const StepReport& last = solver.History().back();
-  this->Newest =
-    Picture{ std::move(view.radiance), std::hypot(last.errorEstimate, view.report.errorEstimate),
-      last.interactions, error == this->Error };
+  this->Newest = Picture{ std::move(view.radiance),
+    std::hypot(last.errorEstimate, view.report.errorEstimate), last.interactions, step.isLast };
   return true;
 }
 

@@ -53,11 +53,19 @@ private:
     int width, height;
   };
 
+  /// On the way to the last picture of a camera.
+  struct Step
+  {
+    double error;
+    int pixelsInOne; ///< in a row
+    bool isFirst, isLast;
+  };
+
   void Work(Scene scene, const SolverSettings& settings);
   std::optional<Request> NextRequest();
   void Show(Solver& solver, const Request& request);
   /// False when it was given up.
-  bool ShowAt(Solver& solver, const Request& request, double error, int pixelsInOne);
+  bool ShowAt(Solver& solver, const Request& request, const Step& step);
   bool IsGivenUp(bool isFirst);
 
   const double Error;

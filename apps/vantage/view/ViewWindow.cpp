@@ -78,19 +78,20 @@ class ViewWindow::Implementation
 public:
   Implementation(ProgressiveView& view, const Settings& settings)
     : View(&view)
-    , Given(settings)
+    , Title(settings.title)
+    , Places(settings.places)
     , Now(settings.start)
     , Step(StepLength * glm::distance(settings.start.eye, settings.start.lookAt))
+    , Tone(settings.toneMapping)
   {
-    this->Tone.exposure = settings.exposure;
     this->BindKeys();
     this->Style->Drag = [this](int right, int up) { this->Drag(right, up); };
     this->Style->Roll = [this](double notches) { this->Go(notches, 0.0, 0.0); };
     this->Style->Press = [this](const std::string& key) { this->Press(key); };
     this->Style->Tick = [this] { this->Poll(); };
     this->Style->Resize = [this] { this->FollowSize(); };
-    this->Canvas->SetLayer(0);
     this->Canvas->GetActiveCamera()->ParallelProjectionOn();
+    this->Actor->GetMapper()->BorderOn();
     this->Window->SetSize(settings.width, settings.height);
     this->Window->SetWindowName(settings.title.c_str());
     this->Window->AddRenderer(this->Canvas);
@@ -127,11 +128,14 @@ private:
   void Draw();
 
   ProgressiveView* View;
-  Settings Given;
+  std::string Title;
+  std::vector<Camera> Places;
   Camera Now;
   double Step;
   ToneMappingSettings Tone;
   std::map<std::string, std::function<void()>> Keys; ///< by their names in X
+  int Width = 0;                                     ///< of the pictures that are asked for
+  int Height = 0;
   Image Shown;
   std::exception_ptr Failure;
 
@@ -201,9 +205,9 @@ void ViewWindow::Implementation::Go(double forward, double right, double up)
 
 void ViewWindow::Implementation::GoTo(std::size_t place)
 {
-  if (place < this->Given.places.size())
+  if (place < this->Places.size())
   {
-    this->Now = this->Given.places[place];
+    this->Now = this->Places[place];
     this->Look();
   }
 }
@@ -211,17 +215,17 @@ void ViewWindow::Implementation::GoTo(std::size_t place)
 void ViewWindow::Implementation::Look()
 {
   const int* size = this->Window->GetSize();
-  this->Given.width = std::max(1, size[0]);
-  this->Given.height = std::max(1, size[1]);
-  this->Now.aspect = static_cast<double>(this->Given.width) / this->Given.height;
-  this->Window->SetWindowName((this->Given.title + " ...").c_str());
-  this->View->LookFrom(this->Now, this->Given.width, this->Given.height);
+  this->Width = std::max(1, size[0]);
+  this->Height = std::max(1, size[1]);
+  this->Now.aspect = static_cast<double>(this->Width) / this->Height;
+  this->Window->SetWindowName((this->Title + " ...").c_str());
+  this->View->LookFrom(this->Now, this->Width, this->Height);
 }
 
 void ViewWindow::Implementation::FollowSize()
 {
   const int* size = this->Window->GetSize();
-  if (size[0] != this->Given.width || size[1] != this->Given.height)
+  if (size[0] != this->Width || size[1] != this->Height)
   {
     this->Look();
   }
@@ -254,7 +258,7 @@ void ViewWindow::Implementation::Show(const ProgressiveView::Picture& picture)
   char state[96];
   std::snprintf(state, sizeof state, ": error %.2g %%, %zu interactions%s",
     100.0 * picture.errorEstimate, picture.interactions, picture.isLast ? "" : " ...");
-  this->Window->SetWindowName((this->Given.title + state).c_str());
+  this->Window->SetWindowName((this->Title + state).c_str());
   this->Draw();
 }
 
@@ -268,8 +272,7 @@ void ViewWindow::Implementation::Draw()
     return;
   }
   this->Actor->SetInputData(ScreenImage(ToneMap(this->Shown.pixels, this->Tone), width, height));
-  this->Actor->GetMapper()->BorderOn();
-  this->Canvas->AddActor(this->Actor);
+  this->Canvas->AddActor(this->Actor); // once: without a picture it is none
   vtkCamera* camera = this->Canvas->GetActiveCamera();
   const double middle[2] = { 0.5 * (width - 1), 0.5 * (height - 1) };
   camera->SetFocalPoint(middle[0], middle[1], 0.0);

@@ -4,7 +4,6 @@
 #include "view/ProgressiveView.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +36,8 @@ public:
     Camera start;
     int width = 0; ///< pixels
     int height = 0;
-    std::vector<Camera> places;     ///< of the number keys
-    std::optional<double> exposure; ///< automatic, of the first picture, without one
+    std::vector<Camera> places;      ///< of the number keys
+    ToneMappingSettings toneMapping; ///< without an exposure that of the first picture
   };
 
   /// \param view must outlive this

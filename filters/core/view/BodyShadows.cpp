@@ -13,11 +13,11 @@ namespace
 /// touches it is the same for all edges there.
 Vec3 Crossing(const ConvexBody::Edge& edge, double from, double to)
 {
-  if (std::abs(from) <= LampHull::Touching)
+  if (std::abs(from) <= LampSurface::Touching)
   {
     return edge.from;
   }
-  return std::abs(to) <= LampHull::Touching
+  return std::abs(to) <= LampSurface::Touching
            ? edge.to
            : edge.from + from / (from - to) * (edge.to - edge.from);
 }
@@ -74,8 +74,8 @@ void BodyShadows::AddEdges(const ConvexBody& whole, const std::optional<Plane>& 
   {
     const double from = front ? front->Distance(edge.from) : 1.0;
     const double to = front ? front->Distance(edge.to) : 1.0;
-    const bool isFromIn = from > LampHull::Touching;
-    const bool isToIn = to > LampHull::Touching;
+    const bool isFromIn = from > LampSurface::Touching;
+    const bool isToIn = to > LampSurface::Touching;
     if (isFromIn || isToIn)
     {
       body.edges.push_back({ ShadowEdge(edge.from, edge.to), edge.first, edge.second });
@@ -111,7 +111,7 @@ bool BodyShadows::ForEachOutlineEdge(const Body& body, const Vec2& x, const Visi
   std::uint8_t any = 0;
   for (std::size_t f = 0; f < body.faces.size(); ++f)
   {
-    seen[f] = body.faces[f].At(x) > LampHull::Touching ? 1 : 0;
+    seen[f] = body.faces[f].At(x) > LampSurface::Touching ? 1 : 0;
     any |= seen[f];
   }
   seen[body.faces.size()] = 0; // no face

@@ -85,9 +85,6 @@ struct ShadowEdge
 class LampHull
 {
 public:
-  /// What is nearer to a plane than this touches it.
-  static constexpr double Touching = 1e-10;
-
   explicit LampHull(const LampSurface& lamp);
 
   const LampSurface& Lamp() const { return *this->TheLamp; }
@@ -116,7 +113,7 @@ inline bool AreInFront(const std::vector<Vec3>& points, const Plane& plane)
 {
   for (const Vec3& point : points)
   {
-    if (plane.Distance(point) < -LampHull::Touching)
+    if (plane.Distance(point) < -LampSurface::Touching)
     {
       return false;
     }

@@ -9,9 +9,6 @@ namespace vantage
 namespace
 {
 
-/// In local units: what is nearer to a plane than this touches it.
-constexpr double Touching = 1e-10;
-
 Bounds BoundsOf(const ConvexRegion& region)
 {
   Bounds bounds(region.low);
@@ -109,9 +106,10 @@ Polygon LampObstacles::Between(std::uint32_t facet) const
   {
     local.Add(this->Place.ToLocal(v));
   }
-  const Polygon above = ClipToFront(local, Plane(), Touching);
-  return this->Place.lamp->IsFlat() ? ClipToFront(above, this->Place.lamp->PlaneOf(0), Touching)
-                                    : above;
+  const Polygon above = ClipToFront(local, Plane(), LampSurface::Touching);
+  return this->Place.lamp->IsFlat()
+           ? ClipToFront(above, this->Place.lamp->PlaneOf(0), LampSurface::Touching)
+           : above;
 }
 
 ConvexBody LampObstacles::LocalBody(std::uint32_t body) const

@@ -19,8 +19,6 @@ namespace
 constexpr std::uint32_t Nothing = static_cast<std::uint32_t>(-1);
 /// Relative to the size of the lamp: what is nearer to a plane than this is in it.
 constexpr double SamePlane = 1e-9;
-/// In a frame's units: what is nearer to a plane than this touches it.
-constexpr double Touching = 1e-10;
 /// A cell of so many faces is not halved.
 constexpr std::uint32_t SmallCell = 4;
 

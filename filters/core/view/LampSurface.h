@@ -42,6 +42,8 @@ public:
   /// the middle of the face: coordinates are rounded in files. Who is not nearer to the plane than
   /// that sees all of the face in spite of them, and others see next to nothing of it.
   static constexpr double LargestDent = 2e-3;
+  /// In the units of a patch's frame: what is nearer to a plane than this touches it.
+  static constexpr double Touching = 1e-10;
 
   /// A flag for each face.
   using Flags = std::vector<std::uint8_t>;

@@ -16,8 +16,6 @@ namespace vantage
 namespace
 {
 
-/// In local units: what is nearer to a plane than this touches it.
-constexpr double Touching = 1e-10;
 /// Groups of so many spots are not halved further; with few facets in the way, nor are larger ones,
 /// unless there is a tolerance.
 constexpr int SmallGroup = 32;
@@ -103,7 +101,7 @@ Polygon LampView::Bounds(const Group& group) const
   const Vec2 high = last / this->Unit + margin;
   const Polygon bounds{ { low.x, low.y, 0.0 }, { high.x, low.y, 0.0 }, { high.x, high.y, 0.0 },
     { low.x, high.y, 0.0 } };
-  return this->Front ? ClipToFront(bounds, *this->Front, Touching) : bounds;
+  return this->Front ? ClipToFront(bounds, *this->Front, LampSurface::Touching) : bounds;
 }
 
 Polygon LampView::ToWorld(const Polygon& local) const

@@ -54,8 +54,8 @@ std::array<Cover, 2> PlateShadows::LampBeyond(const Plane& plane) const
     low = std::min(low, plane.Distance(corner));
     high = std::max(high, plane.Distance(corner));
   }
-  const bool anyAbove = high > LampHull::Touching;
-  const bool anyBelow = low < -LampHull::Touching;
+  const bool anyAbove = high > LampSurface::Touching;
+  const bool anyBelow = low < -LampSurface::Touching;
   return { CoverOf(anyBelow, anyAbove), CoverOf(anyAbove, anyBelow) };
 }
 
